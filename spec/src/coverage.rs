@@ -1,0 +1,85 @@
+//! The coverage protocol of the whole swarm (equation 10, Listing 4).
+
+#[cfg(feature = "contracts")]
+#[allow(unused_imports)] // the erased macros swallow each other's attributes
+use creusot_contracts::prelude::{ensures, requires};
+
+use crate::{DroneMap, Params, Scalar, State};
+
+/// The next position of drone `i` of `count` from its predecessor's position `a`, its own `b`
+/// and its successor's `c` (equation 10; Listing 4, `exec_cvg`).
+///
+/// Drone 0 goes to `min` and drone `count - 1` to `max`, whatever `a`, `b` and `c` are.
+#[cfg_attr(feature = "contracts", requires(count@ >= 1 && i@ < count@))]
+#[cfg_attr(feature = "contracts", ensures(i@ == 0 ==> result == p.min))]
+#[cfg_attr(feature = "contracts", ensures(i@ > 0 && i@ == count@ - 1 ==> result == p.max))]
+pub fn exec_cvg<S: Scalar>(p: &Params<S>, count: usize, a: &S, b: &S, c: &S, i: usize) -> S {
+    if i == 0 {
+        p.min.clone()
+    } else if i + 1 == count {
+        p.max.clone()
+    } else {
+        let (eps, one, two) = (&p.eps, S::from_int(1), S::from_int(2));
+        eps.clone() * a + &((one - &(two * eps)) * b) + &(eps.clone() * c)
+    }
+}
+
+/// The position of drone `i` (Listing 4, `getx`); `i` is below N.
+#[cfg_attr(feature = "contracts", requires(i@ < s.drones.as_ref()@.len()))]
+pub fn getx<S, M: DroneMap<S>>(s: &State<M>, i: usize) -> &S {
+    &s.drones.as_ref()[i]
+}
+
+/// The next position of drone `i`, reading the positions it needs through `position_of`.
+///
+/// This is the `LET xp, x, xf` block of Listing 4: the end drones have one neighbour only
+/// and the segment's end stands in for the other.
+pub(crate) fn update<'s, S: Scalar + 's>(
+    p: &'s Params<S>,
+    count: usize,
+    i: usize,
+    position_of: impl Fn(usize) -> &'s S,
+) -> S {
+    let xp = if i > 0 { position_of(i - 1) } else { &p.min };
+    let x = position_of(i);
+    let xf = if i + 1 < count { position_of(i + 1) } else { &p.max };
+    exec_cvg(p, count, xp, x, xf, i)
+}
+
+/// One protocol step: every drone moves at once, from the same old positions (Listing 4,
+/// `exec_coverage`). The tick counter is kept.
+#[cfg_attr(feature = "contracts", ensures(result.timesteps == s.timesteps))]
+#[cfg_attr(feature = "contracts", ensures(result.drones.as_ref()@.len() == s.drones.as_ref()@.len()))]
+pub fn exec_coverage<S: Scalar, M: DroneMap<S>>(p: &Params<S>, s: &State<M>) -> State<M> {
+    let count = s.drones.count();
+    State {
+        drones: s.drones.lambda(|i| update(p, count, i, |j| getx(s, j))),
+        timesteps: s.timesteps,
+    }
+}
+
+/// One tick: a protocol step when the counter has reached `n`, otherwise only the counter
+/// moves (Listing 4, `tick`). One tick is one co-simulation step of tau seconds.
+#[cfg_attr(feature = "contracts", requires(s.timesteps <= p.n))]
+#[cfg_attr(feature = "contracts", ensures(result.timesteps <= p.n))]
+#[cfg_attr(feature = "contracts", ensures(s.timesteps == p.n ==> result.timesteps@ == 0))]
+#[cfg_attr(feature = "contracts", ensures(s.timesteps < p.n ==> result.timesteps@ == s.timesteps@ + 1))]
+pub fn tick<S: Scalar, M: DroneMap<S>>(p: &Params<S>, s: State<M>) -> State<M> {
+    if s.timesteps == p.n {
+        State { timesteps: 0, ..exec_coverage(p, &s) }
+    } else {
+        // Never saturates: below n there is room for one more. Total all the same.
+        State { timesteps: s.timesteps.saturating_add(1), ..s }
+    }
+}
+
+/// `tick` applied `k` times to `initial` (Listing 4, `kth_step`; iterated where the paper
+/// recurses, so that the cost is k ticks and the stack is flat).
+///
+/// `k` counts ticks. With `n = 0` every tick is a protocol step, so that the placement X^k
+/// of the paper's section 7 is `kth_step` with `n = 0`.
+#[cfg_attr(feature = "contracts", requires(initial.timesteps <= p.n))]
+#[cfg_attr(feature = "contracts", ensures(result.timesteps <= p.n))]
+pub fn kth_step<S: Scalar, M: DroneMap<S>>(p: &Params<S>, initial: State<M>, k: u64) -> State<M> {
+    (0..k).fold(initial, |s, _| tick(p, s))
+}

@@ -1,0 +1,48 @@
+//! Quantities of a placement, all free of division so that they make sense in any ring.
+//!
+//! A placement `x` has one position a drone, N of them, N >= 2. The spacing is
+//! `l = (max - min)/(N-1)` and the target of drone i is `T_i = min + i*l`; where a formula
+//! would divide by N-1, the quantity here is the one multiplied by N-1, and its name says so.
+
+use crate::Scalar;
+
+/// The gap `g_i = X_{i+1} - X_i`; `i + 1` is below N.
+pub fn gap<S: Scalar>(x: &[S], i: usize) -> S {
+    x[i + 1].clone() - &x[i]
+}
+
+/// The sum of all positions: the paper's c (definition 7 of its section 7.1).
+pub fn sum<S: Scalar>(x: &[S]) -> S {
+    x.iter().fold(S::from_int(0), |c, xi| c + xi)
+}
+
+/// The last index N-1, as a scalar: the number of gaps.
+pub fn gaps<S: Scalar>(x: &[S]) -> S {
+    S::from_index(x.len().saturating_sub(1))
+}
+
+/// `(N-1) * T_i`: N-1 times the target of drone `i` of `count` (definition 3).
+pub fn scaled_target<S: Scalar>(min: &S, max: &S, count: usize, i: usize) -> S {
+    let length = max.clone() - min;
+    S::from_index(count.saturating_sub(1)) * min + &(S::from_index(i) * &length)
+}
+
+/// `(N-1) * e_i`: N-1 times the error `e_i = T_i - X_i` of drone `i`; positive while the
+/// drone is before its target.
+pub fn scaled_error<S: Scalar>(min: &S, max: &S, x: &[S], i: usize) -> S {
+    scaled_target(min, max, x.len(), i) - &(gaps::<S>(x) * &x[i])
+}
+
+/// `(N-1)^2` times the sum of the squared errors: zero exactly at the targets.
+pub fn scaled_energy<S: Scalar>(min: &S, max: &S, x: &[S]) -> S {
+    (0..x.len()).fold(S::from_int(0), |sum, i| {
+        let e = scaled_error(min, max, x, i);
+        sum + &(e.clone() * &e)
+    })
+}
+
+/// The contraction vector `w_i = i*(N-1-i)` (PROTOCOL section 2): positive on the internal
+/// drones, zero at the ends.
+pub fn contraction_weight(count: usize, i: usize) -> usize {
+    i * (count - 1 - i)
+}

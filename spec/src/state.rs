@@ -1,0 +1,46 @@
+//! Parameters and state of the swarm (Listing 3 and the paper's theory `initial`).
+
+/// What stays the same during a run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Params<S> {
+    /// Left end of the segment: the place of drone 0, in the unit of the positions.
+    pub min: S,
+    /// Right end of the segment: the place of drone N-1.
+    pub max: S,
+    /// Weight of the neighbours in the update, dimensionless. The paper has it in \[0, 1\];
+    /// the protocol is defined for any value.
+    pub eps: S,
+    /// Largest value of the tick counter: an update every `n + 1` ticks (PROTOCOL section 1;
+    /// the paper's text says every n, its Listing 4 every n + 1).
+    pub n: u32,
+}
+
+/// What changes from tick to tick: the paper's `systemState`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct State<M> {
+    /// Position of every drone, in the order of their identifiers.
+    pub drones: M,
+    /// Ticks since the last update, in `0 ..= n` (the paper's type `upto(n)`).
+    pub timesteps: u32,
+}
+
+/// Where the tick counter starts, hence in which tick the first update falls.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Phase {
+    /// Counter starts at `n`: first update in the first tick (the authors' recorded runs).
+    #[default]
+    First,
+    /// Counter starts at 0: first update in tick `n + 1` (Listing 4 as printed).
+    Last,
+}
+
+impl<M> State<M> {
+    /// The initial state: `drones` in place, the counter as `phase` wants it.
+    pub fn initial(drones: M, n: u32, phase: Phase) -> Self {
+        let timesteps = match phase {
+            Phase::First => n,
+            Phase::Last => 0,
+        };
+        Self { drones, timesteps }
+    }
+}

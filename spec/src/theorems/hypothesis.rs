@@ -1,0 +1,171 @@
+//! Which weights and which starts a theorem is about.
+
+use super::Setting;
+use super::verdict::{Truth, at_most, equal, less};
+use crate::Ordered;
+use crate::placement::{gaps, scaled_error};
+
+/// The hypothesis of a theorem: a range of weights and a set of starts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hypothesis {
+    /// Which weights eps.
+    pub weights: WeightRange,
+    /// Which starts X^0.
+    pub starts: StartSet,
+}
+
+impl Hypothesis {
+    /// Whether weight and start meet the hypothesis. `start` has one position a drone, N >= 3.
+    pub fn met_by<S: Ordered>(&self, setting: &Setting<S>, start: &[S]) -> Truth {
+        let weight = self.weights.contains(&setting.eps_num, &setting.eps_den, start.len());
+        weight.and(self.starts.contains(setting, start))
+    }
+}
+
+/// A range of weights eps, for N drones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WeightRange {
+    /// Any weight at all.
+    Any,
+    /// `0 <= eps <= 1`: the paper's definition 6.
+    Unit,
+    /// `0 <= eps < 1/3`.
+    BelowThird,
+    /// `0 <= eps < 1/2`.
+    BelowHalf,
+    /// `0 <= eps <= 1/2`.
+    UpToHalf,
+    /// `0 <= eps <= 1/2`; for three drones `0 <= eps <= 1`.
+    UpToHalfOrOne,
+    /// `0 < eps <= 1/2`.
+    PositiveUpToHalf,
+    /// `0 < eps < eps*_N = 1/(1 + cos(pi/(N-1)))`.
+    BelowCritical,
+}
+
+impl WeightRange {
+    /// The range in formula.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Any => "any eps",
+            Self::Unit => "0 <= eps <= 1",
+            Self::BelowThird => "0 <= eps < 1/3",
+            Self::BelowHalf => "0 <= eps < 1/2",
+            Self::UpToHalf => "0 <= eps <= 1/2",
+            Self::UpToHalfOrOne => "0 <= eps <= 1/2 (N = 3: 0 <= eps <= 1)",
+            Self::PositiveUpToHalf => "0 < eps <= 1/2",
+            Self::BelowCritical => "0 < eps < 1/(1 + cos(pi/(N-1)))",
+        }
+    }
+
+    /// Whether the weight `num/den` (`den > 0`) is in the range for `count >= 3` drones.
+    ///
+    /// [`Self::BelowCritical`] multiplies N-2 times by numbers of the size of `den`: scalars
+    /// of limited range have to allow for that.
+    pub fn contains<S: Ordered>(self, num: &S, den: &S, count: usize) -> Truth {
+        let zero = S::from_int(0);
+        let nonnegative = || at_most(&zero, num);
+        let times = |n: i32| S::from_int(n) * num;
+        match self {
+            Self::Any => Truth::True,
+            Self::Unit => nonnegative().and(at_most(num, den)),
+            Self::BelowThird => nonnegative().and(less(&times(3), den)),
+            Self::BelowHalf => nonnegative().and(less(&times(2), den)),
+            Self::UpToHalf => nonnegative().and(at_most(&times(2), den)),
+            Self::UpToHalfOrOne if count == 3 => nonnegative().and(at_most(num, den)),
+            Self::UpToHalfOrOne => nonnegative().and(at_most(&times(2), den)),
+            Self::PositiveUpToHalf => less(&zero, num).and(at_most(&times(2), den)),
+            Self::BelowCritical => less(&zero, num).and(below_critical(num, den, count)),
+        }
+    }
+}
+
+/// Whether `num/den < 1/(1 + cos(pi/(N-1)))`, without the cosine.
+///
+/// The errors of the internal drones obey e' = A e with A = tridiag(eps, 1-2eps, eps), whose
+/// least eigenvalue is 1 - 2eps(1 + cos(pi/(N-1))). It is above -1 exactly when I + A is
+/// positive definite, that is when all leading minors of den*(I + A) are positive (Sylvester);
+/// for a tridiagonal matrix they obey a three-term recurrence.
+fn below_critical<S: Ordered>(num: &S, den: &S, count: usize) -> Truth {
+    let zero = S::from_int(0);
+    let two = S::from_int(2);
+    let diagonal = two.clone() * den - &(two * num);
+    let off_squared = num.clone() * num;
+    let (mut before, mut minor) = (zero.clone(), S::from_int(1));
+    let mut answer = Truth::True;
+    for _ in 0..count.saturating_sub(2) {
+        let next = diagonal.clone() * &minor - &(off_squared.clone() * &before);
+        (before, minor) = (minor, next);
+        answer = answer.and(less(&zero, &minor));
+    }
+    answer
+}
+
+/// A set of starts. In each of them drones 0 and N-1 are at min and max (assumption 1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StartSet {
+    /// The internal drones anywhere.
+    Any,
+    /// Strictly ordered (assumption 2).
+    Ordered,
+    /// Strictly ordered, the internal drones before min + l (assumptions 2 and 3).
+    FirstSubsegment,
+    /// No drone beyond its target: X_i <= T_i (UB), which assumptions 2 and 3 imply.
+    UpperBounded,
+}
+
+impl StartSet {
+    /// The set in formula.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Any => "any start",
+            Self::Ordered => "X_0 < X_1 < ... < X_{N-1}",
+            Self::FirstSubsegment => "X_0 < X_1 < ... < X_{N-1}, X_i < min + l for internal i",
+            Self::UpperBounded => "X_i <= T_i for all i",
+        }
+    }
+
+    /// Whether the start is in the set. It has one position a drone, N >= 3.
+    pub fn contains<S: Ordered>(self, setting: &Setting<S>, start: &[S]) -> Truth {
+        let anchored = match start {
+            [first, .., last] => equal(first, &setting.min).and(equal(last, &setting.max)),
+            _ => Truth::False,
+        };
+        anchored.and(match self {
+            Self::Any => Truth::True,
+            Self::Ordered => ordered(start),
+            Self::FirstSubsegment => ordered(start).and(in_first_subsegment(setting, start)),
+            Self::UpperBounded => upper_bounded(setting, start),
+        })
+    }
+}
+
+/// X_i < X_{i+1} for all i.
+fn ordered<S: Ordered>(x: &[S]) -> Truth {
+    Truth::all(x.iter().zip(x.iter().skip(1)).map(|(a, b)| less(a, b)))
+}
+
+/// X_i < min + l for every internal i, multiplied by N-1.
+fn in_first_subsegment<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
+    let scale = gaps::<S>(x);
+    let bound = scale.clone() * &setting.min + &(setting.max.clone() - &setting.min);
+    let internal = x.get(1..x.len().saturating_sub(1)).unwrap_or_default();
+    Truth::all(internal.iter().map(|xi| less(&(scale.clone() * xi), &bound)))
+}
+
+/// X_i <= T_i for every i.
+fn upper_bounded<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
+    let zero = S::from_int(0);
+    let error = |i| scaled_error(&setting.min, &setting.max, x, i);
+    Truth::all((0..x.len()).map(|i| at_most(&zero, &error(i))))
+}
+
+/// X_i = T_i for every i.
+pub(super) fn at_targets<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
+    Truth::all((0..x.len()).map(|i| at_target(setting, x, i)))
+}
+
+/// X_i = T_i.
+pub(super) fn at_target<S: Ordered>(setting: &Setting<S>, x: &[S], i: usize) -> Truth {
+    equal(&scaled_error(&setting.min, &setting.max, x, i), &S::from_int(0))
+}

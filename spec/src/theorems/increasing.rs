@@ -1,0 +1,126 @@
+//! Theorem 7.7: while a drone is off its target the sum of the positions will increase.
+
+use super::fixed_point::stays;
+use super::hypothesis::at_target;
+use super::verdict::{Subject, Truth, Verdict, equal, less};
+use super::{Form, Hypothesis, Setting, StartSet, Statement, Text, WeightRange};
+use crate::Ordered;
+use crate::placement::{scaled_error, sum};
+
+pub(super) const TEXT: Text = Text {
+    number: "7.7",
+    name: "globally increasing",
+    paper: Statement {
+        hypothesis: Hypothesis { weights: WeightRange::Unit, starts: StartSet::UpperBounded },
+        conclusion: "c^{k+1} = c^k, X_j^k < T_j for some j >= 3 and X_i^k = T_i for all i < j imply c^{k+h+1} > c^{k+h} for some h >= 1",
+    },
+    sharp: Statement {
+        hypothesis: Hypothesis {
+            weights: WeightRange::PositiveUpToHalf,
+            starts: StartSet::UpperBounded,
+        },
+        conclusion: "if some drone is off its target at step k, the first increase is c^{k+h+1} > c^{k+h} with h = min over off-target j of min(j, N-1-j) - 1, and c is constant before",
+    },
+    erratum: Some(
+        "false at eps = 0; free index i; j >= 3 should be j >= 1, h > 1 in the text is h >= 1 in the formula; \
+         under assumption 3 no drone is ever exactly at its target, so the printed premise is read on UB starts",
+    ),
+};
+
+/// The smallest j at which the printed premise allows the first off-target drone.
+const PRINTED_FIRST_OFF_TARGET: usize = 3;
+
+/// How many steps beyond k the conclusion reads.
+pub(super) fn span(form: Form, count: usize) -> usize {
+    let internal = count.saturating_sub(2).max(1);
+    match form {
+        // An increase between steps k+1 and k+1+(N-2), or never: see `Theorem::span`.
+        Form::Paper => internal + 1,
+        // h + 1 for the largest h: the drone nearest the middle.
+        Form::Sharp => count.saturating_sub(1) / 2,
+    }
+}
+
+pub(super) fn conclusion<S: Ordered, M: AsRef<[S]>>(
+    form: Form,
+    setting: &Setting<S>,
+    now: &[S],
+    later: &[M],
+) -> Verdict {
+    match form {
+        Form::Paper => as_printed(setting, now, later),
+        Form::Sharp => exact(setting, now, later),
+    }
+}
+
+fn as_printed<S: Ordered, M: AsRef<[S]>>(setting: &Setting<S>, now: &[S], later: &[M]) -> Verdict {
+    let premise = stays(&sum(now), later.get(..1).unwrap_or_default())
+        .and(first_off_target_is_late(setting, now));
+    Verdict::given(premise, || {
+        let constant = match later {
+            [next, rest @ ..] => stays_or_falls(&sum(next.as_ref()), rest),
+            [] => Truth::Unknown,
+        };
+        let increases = match constant {
+            Truth::True => Truth::False,
+            Truth::False => Truth::True,
+            Truth::Unknown => Truth::Unknown,
+        };
+        Verdict::one(increases, later.len(), Subject::Sum)
+    })
+}
+
+/// Whether the first drone off its target is behind its target and has index 3 or more.
+fn first_off_target_is_late<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
+    let zero = S::from_int(0);
+    for j in 0..x.len() {
+        match at_target(setting, x, j) {
+            Truth::True => {}
+            Truth::False if j < PRINTED_FIRST_OFF_TARGET => return Truth::False,
+            Truth::False => {
+                return less(&zero, &scaled_error(&setting.min, &setting.max, x, j));
+            }
+            Truth::Unknown => return Truth::Unknown,
+        }
+    }
+    Truth::False
+}
+
+/// Whether the sum never increases from `c` on through the placements.
+fn stays_or_falls<S: Ordered, M: AsRef<[S]>>(c: &S, placements: &[M]) -> Truth {
+    let mut before = c.clone();
+    let mut answer = Truth::True;
+    for x in placements {
+        let after = sum(x.as_ref());
+        answer = answer.and(super::verdict::at_most(&after, &before));
+        before = after;
+    }
+    answer
+}
+
+/// The sum stays until step k+h and increases in the next, with h as predicted.
+fn exact<S: Ordered, M: AsRef<[S]>>(setting: &Setting<S>, now: &[S], later: &[M]) -> Verdict {
+    let last = now.len().saturating_sub(1);
+    let mut first_increase: Option<usize> = None;
+    for j in 0..now.len() {
+        match at_target(setting, now, j) {
+            Truth::True => {}
+            Truth::False => {
+                let depth = j.min(last - j);
+                first_increase = Some(first_increase.map_or(depth, |d| d.min(depth)));
+            }
+            Truth::Unknown => return Verdict::Undecided,
+        }
+    }
+    // `first_increase` is h + 1; it is at least 1, the end drones being at their targets.
+    let Some(step) = first_increase else {
+        return Verdict::Vacuous;
+    };
+    let c = sum(now);
+    let Some((at, before)) = later.get(..step).and_then(<[M]>::split_last) else {
+        return Verdict::Undecided;
+    };
+    let constant = Truth::all(before.iter().map(|x| equal(&c, &sum(x.as_ref()))));
+    let increases = less(&c, &sum(at.as_ref()));
+    Verdict::one(constant.and(increases), step, Subject::Sum)
+}

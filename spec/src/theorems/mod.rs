@@ -1,0 +1,216 @@
+//! Theorems 7.2 to 7.8 as predicates, in the paper's form and in the sharp form.
+//!
+//! A theorem is a [`Hypothesis`] (which weights, which starts) and a conclusion about a *run*:
+//! successive placements X^k, X^{k+1}, ... of which the conclusion reads [`Theorem::span`]
+//! beyond the first. Sweeps, model checker and refutation search all call these functions;
+//! nothing else states the theorems.
+//!
+//! The predicates are free of division and homogeneous in the positions: multiplying `min`,
+//! `max` and every position by the same positive scalar changes no answer. A caller may
+//! therefore evaluate them on integers over a common denominator.
+
+mod fixed_point;
+mod hypothesis;
+mod increasing;
+mod limit;
+mod non_decreasing;
+mod ordering;
+mod sum;
+mod upper_bound;
+mod verdict;
+
+pub use hypothesis::{Hypothesis, StartSet, WeightRange};
+pub use non_decreasing::telescoping_residual;
+pub use upper_bound::{above_targets, in_box};
+pub use verdict::{Subject, Truth, Verdict, Violation};
+
+use crate::{Ordered, Params, Scalar};
+
+/// What the theorems speak about: the segment's ends, and the weight as a quotient, so that
+/// positions and weight may be measured in different units.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Setting<S> {
+    /// Left end of the segment.
+    pub min: S,
+    /// Right end of the segment, above `min`.
+    pub max: S,
+    /// Numerator of the weight eps.
+    pub eps_num: S,
+    /// Denominator of the weight eps, positive.
+    pub eps_den: S,
+}
+
+impl<S: Scalar> From<&Params<S>> for Setting<S> {
+    fn from(p: &Params<S>) -> Self {
+        Self {
+            min: p.min.clone(),
+            max: p.max.clone(),
+            eps_num: p.eps.clone(),
+            eps_den: S::from_int(1),
+        }
+    }
+}
+
+/// Which reading of a theorem is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Form {
+    /// As printed in the paper's section 7.
+    Paper,
+    /// Under the weakest known hypothesis (PROTOCOL section 2).
+    Sharp,
+}
+
+impl Form {
+    /// Both forms, the paper's first.
+    pub const ALL: [Self; 2] = [Self::Paper, Self::Sharp];
+
+    /// The form in a word.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Paper => "paper",
+            Self::Sharp => "sharp",
+        }
+    }
+}
+
+/// A theorem of the paper's section 7, its parts apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Theorem {
+    /// 7.2: drones never cross.
+    Ordering,
+    /// 7.3: no drone passes its target.
+    UpperBound,
+    /// 7.4 (i): the sum of the positions is bounded.
+    SumBounded,
+    /// 7.4 (ii): the bound is met exactly at the targets.
+    SumMaximal,
+    /// 7.5 (i): the sum never decreases.
+    SumNonDecreasing,
+    /// 7.5 (ii): at the targets the sum stays for a step.
+    SumStationary,
+    /// 7.6 (i): at the targets the sum stays for ever.
+    TargetsFixed,
+    /// 7.6 (ii): a constant sum means that all drones are at their targets.
+    ConstantSum,
+    /// 7.7: off the targets the sum will increase.
+    GloballyIncreasing,
+    /// 7.8: every drone converges to its target.
+    Limit,
+}
+
+/// One form of a theorem: hypothesis as data, conclusion in words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Statement {
+    /// Which weights and starts the statement is about.
+    pub hypothesis: Hypothesis,
+    /// What it says of them.
+    pub conclusion: &'static str,
+}
+
+/// A theorem in words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Text {
+    /// The paper's number, with the part: `7.4i`.
+    pub number: &'static str,
+    /// The paper's name of the theorem, with the part in a word.
+    pub name: &'static str,
+    /// As printed.
+    pub paper: Statement,
+    /// Under the weakest known hypothesis.
+    pub sharp: Statement,
+    /// What is wrong with, or missing from, the printed form.
+    pub erratum: Option<&'static str>,
+}
+
+impl Theorem {
+    /// Every theorem, in the paper's order.
+    pub const ALL: [Self; 10] = [
+        Self::Ordering,
+        Self::UpperBound,
+        Self::SumBounded,
+        Self::SumMaximal,
+        Self::SumNonDecreasing,
+        Self::SumStationary,
+        Self::TargetsFixed,
+        Self::ConstantSum,
+        Self::GloballyIncreasing,
+        Self::Limit,
+    ];
+
+    /// Number, name, both statements and the erratum.
+    pub fn text(self) -> &'static Text {
+        match self {
+            Self::Ordering => &ordering::TEXT,
+            Self::UpperBound => &upper_bound::TEXT,
+            Self::SumBounded => &sum::BOUNDED,
+            Self::SumMaximal => &sum::MAXIMAL,
+            Self::SumNonDecreasing => &non_decreasing::TEXT,
+            Self::SumStationary => &non_decreasing::STATIONARY,
+            Self::TargetsFixed => &fixed_point::TARGETS_FIXED,
+            Self::ConstantSum => &fixed_point::CONSTANT_SUM,
+            Self::GloballyIncreasing => &increasing::TEXT,
+            Self::Limit => &limit::TEXT,
+        }
+    }
+
+    /// The statement in the given form.
+    pub fn statement(self, form: Form) -> &'static Statement {
+        match form {
+            Form::Paper => &self.text().paper,
+            Form::Sharp => &self.text().sharp,
+        }
+    }
+
+    /// The hypothesis in the given form.
+    pub fn hypothesis(self, form: Form) -> Hypothesis {
+        self.statement(form).hypothesis
+    }
+
+    /// How many placements beyond X^k the conclusion about step k reads, for `count` drones.
+    ///
+    /// Statements about *all* later steps are decided by finitely many: the increments of the
+    /// sum obey a linear recurrence of order N-2 (Cayley-Hamilton on the internal drones), so
+    /// N-2 zeros in a row mean zeros for ever.
+    pub fn span(self, form: Form, count: usize) -> usize {
+        match self {
+            Self::Ordering | Self::UpperBound | Self::SumBounded | Self::SumMaximal => 0,
+            Self::SumNonDecreasing | Self::SumStationary | Self::Limit => 1,
+            Self::TargetsFixed | Self::ConstantSum => fixed_point::span(form, count),
+            Self::GloballyIncreasing => increasing::span(form, count),
+        }
+    }
+
+    /// Whether the conclusion holds of the run `X^k, X^{k+1}, ...`, at least `span + 1`
+    /// placements of N >= 3 drones each. Of a shorter run nothing is said: `Undecided`.
+    pub fn conclusion<S: Ordered, M: AsRef<[S]>>(
+        self,
+        form: Form,
+        setting: &Setting<S>,
+        run: &[M],
+    ) -> Verdict {
+        let Some(now) = run.first().map(AsRef::as_ref) else {
+            return Verdict::Undecided;
+        };
+        let Some(later) = run.get(1..=self.span(form, now.len())) else {
+            return Verdict::Undecided;
+        };
+        match self {
+            Self::Ordering => ordering::conclusion(now),
+            Self::UpperBound => upper_bound::conclusion(setting, now),
+            Self::SumBounded => sum::bounded(setting, now),
+            Self::SumMaximal => sum::maximal(setting, now),
+            Self::SumNonDecreasing => non_decreasing::conclusion(now, later),
+            Self::SumStationary => non_decreasing::stationary(setting, now, later),
+            Self::TargetsFixed => fixed_point::targets_fixed(form, setting, now, later),
+            Self::ConstantSum => fixed_point::constant_sum(setting, now, later),
+            Self::GloballyIncreasing => increasing::conclusion(form, setting, now, later),
+            Self::Limit => limit::conclusion(form, setting, now, later),
+        }
+    }
+
+    /// The largest power of the positions' size that the conclusion computes: 1, or 2 where it
+    /// squares errors. What a caller with a limited range of integers has to allow for.
+    pub fn degree(self) -> u32 {
+        if self == Self::Limit { 2 } else { 1 }
+    }
+}

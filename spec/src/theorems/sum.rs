@@ -1,0 +1,63 @@
+//! Corollary 7.4: the sum of the positions, its bound and when it is met.
+
+use core::cmp::Ordering;
+
+use super::hypothesis::at_targets;
+use super::verdict::{Subject, Truth, Verdict, at_most};
+use super::{Hypothesis, Setting, StartSet, Statement, Text, WeightRange};
+use crate::placement::sum;
+use crate::{Ordered, Scalar};
+
+const PAPER: Hypothesis =
+    Hypothesis { weights: WeightRange::BelowHalf, starts: StartSet::FirstSubsegment };
+const SHARP: Hypothesis =
+    Hypothesis { weights: WeightRange::UpToHalf, starts: StartSet::UpperBounded };
+
+pub(super) const BOUNDED: Text = Text {
+    number: "7.4i",
+    name: "sum of positions: bound",
+    paper: Statement { hypothesis: PAPER, conclusion: "c^k <= N*min + N(N-1)/2 * l for all k" },
+    sharp: Statement { hypothesis: SHARP, conclusion: "c^k <= N*min + N(N-1)/2 * l for all k" },
+    erratum: None,
+};
+
+pub(super) const MAXIMAL: Text = Text {
+    number: "7.4ii",
+    name: "sum of positions: equality",
+    paper: Statement {
+        hypothesis: PAPER,
+        conclusion: "c^k = N*min + N(N-1)/2 * l if and only if X_i^k = T_i for all i",
+    },
+    sharp: Statement {
+        hypothesis: SHARP,
+        conclusion: "c^k = N*min + N(N-1)/2 * l if and only if X_i^k = T_i for all i",
+    },
+    erratum: None,
+};
+
+/// Twice the sum, and twice its bound: 2*(N*min + N(N-1)/2 * l) = N*(min + max).
+fn doubled<S: Scalar>(setting: &Setting<S>, x: &[S]) -> (S, S) {
+    let ends = setting.min.clone() + &setting.max;
+    (S::from_int(2) * &sum(x), S::from_index(x.len()) * &ends)
+}
+
+/// The sum is at most its bound.
+pub(super) fn bounded<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Verdict {
+    let (c, bound) = doubled(setting, x);
+    Verdict::one(at_most(&c, &bound), 0, Subject::Sum)
+}
+
+/// The sum meets its bound exactly when all drones are at their targets. Vacuous where
+/// neither is so.
+pub(super) fn maximal<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Verdict {
+    let (c, bound) = doubled(setting, x);
+    let Some(order) = c.compare(&bound) else {
+        return Verdict::Undecided;
+    };
+    match (order == Ordering::Equal, at_targets(setting, x)) {
+        (true, Truth::True) => Verdict::Holds,
+        (false, Truth::False) => Verdict::Vacuous,
+        (_, Truth::Unknown) => Verdict::Undecided,
+        _ => Verdict::one(Truth::False, 0, Subject::Sum),
+    }
+}

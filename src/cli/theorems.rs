@@ -1,0 +1,73 @@
+//! `cordon theorems`.
+
+use std::io::Write;
+
+use cordon_spec::theorems::{Form, Theorem};
+use serde_json::json;
+
+use super::select::{OutputFormat, theorems_named};
+use crate::{Outcome, Result};
+
+/// Arguments of `cordon theorems`.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    /// Which theorems: numbers like 7.2 or 7.4ii, separated by commas [default: all]
+    #[arg(value_name = "NUMBERS")]
+    pub numbers: Option<String>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    pub format: OutputFormat,
+}
+
+/// Lists the theorems.
+pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    let theorems = theorems_named(args.numbers.as_deref().unwrap_or("all"))?;
+    match args.format {
+        OutputFormat::Text => theorems.iter().try_for_each(|&t| text(t, out))?,
+        OutputFormat::Json => {
+            let list: Vec<_> = theorems.iter().map(|&t| as_json(t)).collect();
+            let page = json!({ "schema": "cordon-theorems/1", "theorems": list });
+            writeln!(out, "{page:#}")?;
+        }
+    }
+    Ok(Outcome::Holds)
+}
+
+fn text(theorem: Theorem, out: &mut dyn Write) -> Result<()> {
+    let t = theorem.text();
+    writeln!(out, "{} {}", t.number, t.name)?;
+    for form in Form::ALL {
+        let (s, label) = (theorem.statement(form), form.label());
+        writeln!(
+            out,
+            "  {label:<6} if   {}; {}",
+            s.hypothesis.weights.text(),
+            s.hypothesis.starts.text()
+        )?;
+        writeln!(out, "         then {}", s.conclusion)?;
+    }
+    if let Some(erratum) = t.erratum {
+        writeln!(out, "  erratum     {erratum}")?;
+    }
+    writeln!(out)?;
+    Ok(())
+}
+
+fn as_json(theorem: Theorem) -> serde_json::Value {
+    let t = theorem.text();
+    let form = |f| {
+        let s = theorem.statement(f);
+        json!({
+            "weights": s.hypothesis.weights.text(),
+            "starts": s.hypothesis.starts.text(),
+            "conclusion": s.conclusion,
+        })
+    };
+    json!({
+        "number": t.number,
+        "name": t.name,
+        "paper": form(Form::Paper),
+        "sharp": form(Form::Sharp),
+        "erratum": t.erratum,
+    })
+}

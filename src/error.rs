@@ -1,0 +1,97 @@
+//! How a command ends: with a verdict, or with an error that names the user's mistake.
+
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// What a command that ran to its end has found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Everything asked for was done, every claim asked about holds (exit code 0).
+    Holds,
+    /// A claim was refuted; the counterexample is on stdout (exit code 1).
+    Refuted,
+    /// Neither a proof nor a counterexample, or the engine was not run (exit code 3).
+    Inconclusive,
+    /// A certificate was rejected (exit code 4).
+    Rejected,
+}
+
+impl Outcome {
+    /// The worse of two outcomes: rejected, then refuted, then inconclusive, then holds.
+    pub fn worst(self, other: Self) -> Self {
+        let rank = |o| match o {
+            Self::Holds => 0,
+            Self::Inconclusive => 1,
+            Self::Refuted => 2,
+            Self::Rejected => 3,
+        };
+        if rank(self) >= rank(other) { self } else { other }
+    }
+
+    /// The process exit code.
+    pub fn code(self) -> u8 {
+        match self {
+            Self::Holds => 0,
+            Self::Refuted => 1,
+            Self::Inconclusive => 3,
+            Self::Rejected => 4,
+        }
+    }
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        outcome.code().into()
+    }
+}
+
+/// Why a command did not run to its end.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// Bad usage or bad input (exit code 2). The message is in the user's words: what was
+    /// given (in backticks), what was expected, and where.
+    #[error("{0}")]
+    Input(String),
+    /// A file could not be read or written (exit code 74, `EX_IOERR`).
+    #[error("cannot {action} `{}`: {source}", path.display())]
+    File {
+        /// `read`, `write`, ...
+        action: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: io::Error,
+    },
+    /// stdout or stderr could not be written (exit code 74).
+    #[error("cannot write the output: {0}")]
+    Output(#[from] io::Error),
+}
+
+impl Error {
+    /// An [`Error::Input`] from anything that can be said.
+    pub fn input(message: impl Into<String>) -> Self {
+        Self::Input(message.into())
+    }
+
+    /// An [`Error::File`].
+    pub fn file(action: &'static str, path: &Path, source: io::Error) -> Self {
+        Self::File { action, path: path.to_owned(), source }
+    }
+
+    /// The process exit code.
+    pub fn code(&self) -> u8 {
+        match self {
+            Self::Input(_) => 2,
+            Self::File { .. } | Self::Output(_) => 74,
+        }
+    }
+
+    /// Whether the reader of stdout has gone away, which is no fault worth a message.
+    pub fn is_broken_pipe(&self) -> bool {
+        matches!(self, Self::Output(e) if e.kind() == io::ErrorKind::BrokenPipe)
+    }
+}
+
+/// The result of anything here that can fail.
+pub type Result<T, E = Error> = std::result::Result<T, E>;

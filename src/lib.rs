@@ -1,0 +1,13 @@
+//! Cordon: a verification toolkit for a drone coverage protocol with one executable spec.
+//!
+//! The protocol and its theorems are defined in [`cordon_spec`] and nowhere else. The modules
+//! here are engines that execute it; each consumes the spec and knows no other engine. The
+//! command line ([`cli`]) is a thin face over them.
+
+pub mod cli;
+pub mod error;
+pub mod exact;
+pub mod files;
+
+pub use error::{Error, Outcome, Result};
+pub use exact::Rational;

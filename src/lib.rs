@@ -9,6 +9,9 @@ pub mod error;
 pub mod exact;
 pub mod files;
 pub mod scalar;
+pub mod scenario;
+pub mod simulate;
+pub mod trace;
 
 pub use error::{Error, Outcome, Result};
 pub use exact::Rational;

@@ -2,8 +2,10 @@
 //!
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
+pub mod scenario_args;
 pub mod select;
 mod theorems;
+mod trace;
 
 use std::io::Write;
 
@@ -27,6 +29,8 @@ const EXIT_CODES: &str = "Exit codes: 0 holds or done, 1 refuted, 2 bad usage or
 /// The commands.
 #[derive(Subcommand, Debug)]
 pub enum Command {
+    /// Print the trace of a scenario: the placement after every protocol step or tick
+    Trace(Box<trace::Args>),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
 }
@@ -38,6 +42,7 @@ impl Cli {
     /// Bad input, or a file or stream that cannot be read or written.
     pub fn run(self, out: &mut dyn Write) -> Result<Outcome> {
         match self.command {
+            Command::Trace(args) => trace::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
         }
     }

@@ -5,9 +5,11 @@
 //! command line ([`cli`]) is a thin face over them.
 
 pub mod cli;
+pub mod errata;
 pub mod error;
 pub mod exact;
 pub mod files;
+pub mod projection;
 pub mod scalar;
 pub mod scenario;
 pub mod simulate;

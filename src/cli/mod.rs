@@ -2,6 +2,8 @@
 //!
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
+mod errata;
+mod local;
 pub mod scenario_args;
 pub mod select;
 mod theorems;
@@ -31,6 +33,10 @@ const EXIT_CODES: &str = "Exit codes: 0 holds or done, 1 refuted, 2 bad usage or
 pub enum Command {
     /// Print the trace of a scenario: the placement after every protocol step or tick
     Trace(Box<trace::Args>),
+    /// Run N local machines that exchange positions and compare with the global protocol
+    Local(Box<local::Args>),
+    /// Re-establish the paper's slips by computation, now
+    Errata(errata::Args),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
 }
@@ -43,6 +49,8 @@ impl Cli {
     pub fn run(self, out: &mut dyn Write) -> Result<Outcome> {
         match self.command {
             Command::Trace(args) => trace::run(&args, out),
+            Command::Local(args) => local::run(&args, out),
+            Command::Errata(args) => errata::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
         }
     }

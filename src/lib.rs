@@ -5,6 +5,7 @@
 //! command line ([`cli`]) is a thin face over them.
 
 pub mod cli;
+pub mod cosim;
 pub mod errata;
 pub mod error;
 pub mod exact;

@@ -1,0 +1,14 @@
+//! The co-simulation engine: drones with a body (PROTOCOL section 3).
+//!
+//! Every drone is three [units](unit::Unit): [plant](plant::Plant), [control](control::Control)
+//! and [coordination](coordination::Coordination). The coordination unit executes the spec.
+//! Units know nothing of each other, the master nothing of drones.
+
+mod body_variables;
+pub mod control;
+pub mod coordination;
+pub mod grid;
+pub mod physics;
+pub mod plant;
+pub mod quotient;
+pub mod unit;

@@ -10,6 +10,7 @@ pub mod errata;
 pub mod error;
 pub mod exact;
 pub mod files;
+pub mod fmi;
 pub mod projection;
 pub mod scalar;
 pub mod scenario;

@@ -3,6 +3,7 @@
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
 mod errata;
+mod fmu;
 mod local;
 pub mod scenario_args;
 pub mod select;
@@ -38,6 +39,8 @@ pub enum Command {
     Local(Box<local::Args>),
     /// Re-establish the paper's slips by computation, now
     Errata(errata::Args),
+    /// Write the units of the co-simulation as FMUs
+    Fmu(Box<fmu::Args>),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
     /// Print a completion script for a shell
@@ -56,6 +59,7 @@ impl Cli {
             Command::Trace(args) => trace::run(&args, out),
             Command::Local(args) => local::run(&args, out),
             Command::Errata(args) => errata::run(&args, out),
+            Command::Fmu(args) => fmu::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
             Command::Completions(args) => setup::completions(&args, out),
             Command::Man => setup::man(out),

@@ -100,7 +100,7 @@ impl Master {
             variable.is_some_and(|v| !v.feedthrough.is_empty())
         });
         let at_once = algorithm == Algorithm::Jacobi && !feeds_through;
-        let mut master = Self::assemble(wiring, grid, sampled, in_order);
+        let mut master = Self::assemble(wiring, grid, sampled, in_order)?;
         if at_once {
             master.schedule = Schedule::AtOnce;
         }
@@ -112,7 +112,12 @@ impl Master {
         Ok(master)
     }
 
-    fn assemble(wiring: Wiring, grid: Grid, sampled: Vec<usize>, in_order: Vec<usize>) -> Self {
+    fn assemble(
+        wiring: Wiring,
+        grid: Grid,
+        sampled: Vec<usize>,
+        in_order: Vec<usize>,
+    ) -> Result<Self> {
         let Wiring { units, connections, held, outages } = wiring;
         let mut cells: Vec<Cell> = units
             .into_iter()
@@ -146,19 +151,13 @@ impl Master {
         let sampled = sampled.into_iter().filter_map(|c| places.get(c).copied()).collect();
         for (port, value) in held {
             if let Some(cell) = cells.get_mut(port.unit) {
-                // The wiring was checked: type and causality are right.
-                let _ = cell.unit.set(port.variable, &value);
+                cell.unit.set(port.variable, &value)?;
             }
         }
         let blank: Vec<Vec<Value>> =
             cells.iter().map(|c| vec![Value::Boolean(false); c.outputs.len()]).collect();
-        Self {
-            grid,
-            cells,
-            sent: blank.clone(),
-            next: blank,
-            schedule: Schedule::InOrder { sampled, units: in_order },
-        }
+        let schedule = Schedule::InOrder { sampled, units: in_order };
+        Ok(Self { grid, cells, sent: blank.clone(), next: blank, schedule })
     }
 
     fn initialise(&mut self) -> Result<()> {

@@ -31,3 +31,27 @@ pub fn write_atomically(path: &Path, content: &[u8]) -> Result<()> {
     file.persist(path).map_err(|e| fail(e.error))?;
     Ok(())
 }
+
+/// As [`write_atomically`], for content that is written bit by bit and need not fit the
+/// memory. Where `content` fails nothing is left behind.
+///
+/// # Errors
+/// The folder cannot be written, or `content` fails.
+pub fn write_whole(path: &Path, content: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
+    let fail = |e| Error::file("write", path, e);
+    let folder = match path.parent() {
+        Some(p) if !p.as_os_str().is_empty() => p,
+        _ => Path::new("."),
+    };
+    let mut file = tempfile::Builder::new().prefix(".cordon-").tempfile_in(folder).map_err(fail)?;
+    let mut buffer = std::io::BufWriter::new(file.as_file_mut());
+    content(&mut buffer).map_err(|e| match e {
+        Error::Output(e) => fail(e),
+        e => e,
+    })?;
+    buffer.flush().map_err(fail)?;
+    drop(buffer);
+    file.as_file().sync_all().map_err(fail)?;
+    file.persist(path).map_err(|e| fail(e.error))?;
+    Ok(())
+}

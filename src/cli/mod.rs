@@ -2,6 +2,7 @@
 //!
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
+mod cosim;
 mod errata;
 mod fmu;
 mod local;
@@ -37,6 +38,8 @@ pub enum Command {
     Trace(Box<trace::Args>),
     /// Run N local machines that exchange positions and compare with the global protocol
     Local(Box<local::Args>),
+    /// Fly the scenario: plant, controller and coordination of every drone, co-simulated
+    Cosim(Box<cosim::Args>),
     /// Re-establish the paper's slips by computation, now
     Errata(errata::Args),
     /// Write the units of the co-simulation as FMUs
@@ -58,6 +61,7 @@ impl Cli {
         match self.command {
             Command::Trace(args) => trace::run(&args, out),
             Command::Local(args) => local::run(&args, out),
+            Command::Cosim(args) => cosim::run(&args, out),
             Command::Errata(args) => errata::run(&args, out),
             Command::Fmu(args) => fmu::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),

@@ -50,6 +50,19 @@ impl Quotient {
         double(x.numer()) / double(x.denom())
     }
 
+    /// The distance of a double from this number, rounded once; infinite where the double is
+    /// not finite.
+    pub fn distance_from(&self, x: f64) -> f64 {
+        let Some(x) = Self::from_f64(x) else {
+            return f64::INFINITY;
+        };
+        // Over the product of the denominators: looking for a smaller one would cost more.
+        let (a, b) = (&*self.0, &*x.0);
+        let scaled = |num: &BigInt, den: &BigUint| num * BigInt::from(den.clone());
+        let num = scaled(&a.num, &b.den) - scaled(&b.num, &a.den);
+        Self::new(num, &a.den * &b.den).to_f64().abs()
+    }
+
     /// The exact number that a double is; `None` where it is not finite.
     pub fn from_f64(x: f64) -> Option<Self> {
         Rational::from_float(x).map(|r| Self::from(&r))

@@ -7,6 +7,7 @@ use cordon_spec::Phase;
 use serde::Deserialize;
 use toml::{Spanned, Value};
 
+use super::flight_file::{self, FaultTable, FlightTable};
 use super::{Draft, Start};
 use crate::exact::{self, Rational};
 use crate::{Error, Result, files};
@@ -31,6 +32,10 @@ struct Document {
     steps: Option<u64>,
     graph: Option<Spanned<Value>>,
     displacement: Option<Vec<Spanned<Value>>>,
+    #[serde(default)]
+    flight: FlightTable,
+    #[serde(default)]
+    fault: Vec<FaultTable>,
 }
 
 /// Reads a scenario file.
@@ -83,11 +88,12 @@ fn parse(name: &str, text: &str) -> Result<Draft> {
         graph,
         edges,
         displacement: numbers("displacement", doc.displacement)?,
+        flight: flight_file::flight(&source, doc.flight, &doc.fault)?,
     })
 }
 
 /// The file's name and text, for errors that point into it.
-struct Source<'t> {
+pub(super) struct Source<'t> {
     name: &'t str,
     text: &'t str,
 }
@@ -96,14 +102,14 @@ struct Source<'t> {
 type GraphFields = (Option<String>, Option<Vec<(usize, usize)>>);
 
 impl Source<'_> {
-    fn error(&self, at: &Range<usize>, message: &str) -> Error {
+    pub(super) fn error(&self, at: &Range<usize>, message: &str) -> Error {
         let before = self.text.get(..at.start).unwrap_or_default();
         let line = before.matches('\n').count() + 1;
         let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
         Error::input(format!("{}:{line}:{column}: {message}", self.name))
     }
 
-    fn number(&self, field: &str, value: &Spanned<Value>) -> Result<Rational> {
+    pub(super) fn number(&self, field: &str, value: &Spanned<Value>) -> Result<Rational> {
         let written = match value.get_ref() {
             Value::String(s) => s.clone(),
             Value::Integer(n) => n.to_string(),

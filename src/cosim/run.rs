@@ -1,0 +1,71 @@
+//! Running a swarm and keeping what happened.
+
+use super::collision::{Sample, Watch};
+use super::physics::Body;
+use super::plant::var;
+use super::record::Record;
+use super::swarm::Swarm;
+use super::wiring::Port;
+use crate::{Error, Result};
+
+/// Most numbers of one record, half a gigabyte of doubles.
+const MAX_NUMBERS: u128 = 1 << 26;
+
+/// Runs a swarm from its start to its end. `progress` is told every grid point.
+///
+/// # Errors
+/// The swarm cannot be wired, a unit fails or sends a number that is not finite, or the
+/// record would be too large.
+pub fn run(swarm: &Swarm, mut progress: impl FnMut(u64)) -> Result<Record> {
+    let count = swarm.count();
+    let rows = u128::from(swarm.grid.steps()) + 1;
+    if rows * count as u128 * 2 > MAX_NUMBERS {
+        return Err(Error::input(format!(
+            "duration: {count} drones at {rows} grid points: expected at most {} positions",
+            MAX_NUMBERS
+        )));
+    }
+    let mut master = swarm.master()?;
+    // The limit above is far below what a usize holds.
+    let numbers = usize::try_from(rows).unwrap_or_default() * count;
+    let mut record = Record {
+        title: swarm.scenario.title.clone(),
+        count,
+        times: Vec::with_capacity(numbers / count.max(1)),
+        desired: Vec::with_capacity(numbers),
+        actual: Vec::with_capacity(numbers),
+        events: None,
+        setup: Some(swarm.setup()),
+    };
+    let desired = swarm.coordination(0).place(super::coordination::Slot::Desired);
+    let desired = desired.ok_or_else(|| Error::input("expected an output `x_d`"))?;
+    let mut watch = Watch::new(swarm.integrator, swarm.grid.tau_f64());
+    let gravity = Body::default().gravity;
+    let mut samples = vec![Sample::default(); count];
+    let mut accumulated = 0.0;
+    master.run(|master, step| {
+        let last = record.times.last().copied().unwrap_or_default();
+        for (i, sample) in samples.iter_mut().enumerate() {
+            let plant = |variable| Port { unit: 3 * i + 2, variable };
+            let number = |variable| master.number(plant(variable), step);
+            let desired = Port { unit: 3 * i, variable: desired };
+            record.desired.push(master.number(desired, step)?);
+            *sample = Sample {
+                x: number(var::X)?,
+                v: number(var::VX)?,
+                a: gravity * number(var::THETA)?,
+                jerk: gravity * number(var::VTHETA)?,
+            };
+            record.actual.push(sample.x);
+        }
+        // The recorded runs added up their time in doubles.
+        let time = if swarm.recorded { accumulated } else { master.grid().time_f64(step) };
+        accumulated += master.grid().tau_f64();
+        record.times.push(time);
+        watch.next(last, &samples);
+        progress(step);
+        Ok(())
+    })?;
+    record.events = Some(watch.finish());
+    Ok(record)
+}

@@ -11,6 +11,7 @@ pub mod error;
 pub mod exact;
 pub mod files;
 pub mod fmi;
+pub mod interchange;
 pub mod projection;
 pub mod scalar;
 pub mod scenario;

@@ -31,16 +31,16 @@ struct ExportArgs {
     /// The FMU to write
     #[arg(long, value_name = "FILE.fmu")]
     out: PathBuf,
-    #[command(flatten)]
-    with: WithArgs,
-}
-
-/// What the commands that write FMUs have in common.
-#[derive(clap::Args, Debug)]
-pub(super) struct WithArgs {
     /// How positions travel between coordination units
     #[arg(long, value_enum, default_value_t = PositionsArg::Exact)]
-    pub positions: PositionsArg,
+    positions: PositionsArg,
+    #[command(flatten)]
+    binary: BinaryArg,
+}
+
+/// Where the commands that write FMUs find the binary.
+#[derive(clap::Args, Debug)]
+pub(super) struct BinaryArg {
     /// The compiled crate `cordon-fmu` [default: the one beside this program]
     #[arg(long, value_name = "FILE")]
     pub binary: Option<PathBuf>,
@@ -78,7 +78,7 @@ impl From<VersionArg> for FmiVersion {
 
 /// How positions travel, on the command line.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum PositionsArg {
+enum PositionsArg {
     /// As text p/q: the run is the spec's run
     Exact,
     /// As doubles, for tools that connect no texts
@@ -106,12 +106,12 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
 
 fn export(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome> {
     let model = match args.unit {
-        UnitArg::Coordination => Model::Coordination(args.with.positions.into()),
+        UnitArg::Coordination => Model::Coordination(args.positions.into()),
         UnitArg::Control => Model::Control,
         UnitArg::Plant => Model::Plant,
     };
     let version = args.fmi.into();
-    let binary = binary::load(args.with.binary.as_deref())?;
+    let binary = binary::load(args.binary.binary.as_deref())?;
     let archive = package::fmu(model, version, &binary)?;
     files::write_atomically(&args.out, &archive)?;
     writeln!(

@@ -4,6 +4,7 @@
 
 mod cosim;
 mod errata;
+mod export;
 mod fmu;
 mod local;
 pub mod scenario_args;
@@ -44,6 +45,8 @@ pub enum Command {
     Errata(errata::Args),
     /// Write the units of the co-simulation as FMUs
     Fmu(Box<fmu::Args>),
+    /// Write a co-simulation for other tools: INTO-CPS, SSP
+    Export(Box<export::Args>),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
     /// Print a completion script for a shell
@@ -64,6 +67,7 @@ impl Cli {
             Command::Cosim(args) => cosim::run(&args, out),
             Command::Errata(args) => errata::run(&args, out),
             Command::Fmu(args) => fmu::run(&args, out),
+            Command::Export(args) => export::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
             Command::Completions(args) => setup::completions(&args, out),
             Command::Man => setup::man(out),

@@ -110,6 +110,16 @@ impl Wiring {
         self.outages.entry(unit).or_default().push(steps);
     }
 
+    /// The connections, each from an output to an input.
+    pub fn connections(&self) -> impl Iterator<Item = (Port, Port)> {
+        self.connections.iter().map(|c| (c.from, c.to))
+    }
+
+    /// The inputs that nothing is connected to, with the values that they are held at.
+    pub fn held(&self) -> impl Iterator<Item = (Port, &Value)> {
+        self.held.iter().map(|(port, value)| (*port, value))
+    }
+
     /// Checks everything that can be checked before the run.
     pub(super) fn check(&self) -> Result<()> {
         self.check_names()?;

@@ -5,6 +5,7 @@
 //! [`package`] puts the archive together. The C functions are in the crate `cordon-fmu`
 //! (folder `fmu`), the only place with `unsafe`; [`binary`] finds what it was compiled to.
 
+pub mod archive;
 pub mod binary;
 pub mod description;
 pub mod interface;

@@ -136,6 +136,7 @@ pub struct Coordination {
     own: Quotient,
     x_d: f64,
     missed: bool,
+    moved: bool,
 }
 
 impl Coordination {
@@ -154,6 +155,7 @@ impl Coordination {
             own,
             settings,
             missed: false,
+            moved: true,
         }
     }
 
@@ -310,12 +312,14 @@ impl Unit for Coordination {
         self.own = Quotient::from(&self.settings.start);
         self.x_d = self.settings.exchange.round(&self.own);
         self.missed = false;
+        self.moved = true;
         Ok(())
     }
 
     fn do_step(&mut self, _: &Grid, _: u64) -> Result<(), UnitError> {
         let missed = std::mem::take(&mut self.missed);
-        if self.machine.fires() {
+        self.moved = self.machine.fires();
+        if self.moved {
             let mut received = Vec::with_capacity(self.heard.len());
             for (i, value) in self.heard.iter().enumerate() {
                 let Some(x) = self.settings.exchange.receive(value) else {
@@ -336,6 +340,10 @@ impl Unit for Coordination {
             self.machine.tick(Vec::new());
         }
         Ok(())
+    }
+
+    fn moved(&self) -> bool {
+        self.moved
     }
 
     fn lost(&mut self, _: usize) {

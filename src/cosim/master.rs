@@ -46,8 +46,10 @@ pub struct Master {
     cells: Vec<Cell>,
     /// Outputs of every unit that are connected, as they were at the present grid point.
     sent: Vec<Vec<Value>>,
-    /// Where the outputs of the next grid point are gathered.
-    next: Vec<Vec<Value>>,
+    /// Whether a unit's outputs may have changed in the last step.
+    fresh: Vec<bool>,
+    /// Whether some unit is out of order at some time.
+    outages: bool,
     schedule: Schedule,
 }
 
@@ -157,7 +159,9 @@ impl Master {
         let blank: Vec<Vec<Value>> =
             cells.iter().map(|c| vec![Value::Boolean(false); c.outputs.len()]).collect();
         let schedule = Schedule::InOrder { sampled, units: in_order };
-        Ok(Self { grid, cells, sent: blank.clone(), next: blank, schedule })
+        let fresh = vec![true; cells.len()];
+        let outages = cells.iter().any(|c| !c.outages.is_empty());
+        Ok(Self { grid, cells, sent: blank, fresh, outages, schedule })
     }
 
     fn initialise(&mut self) -> Result<()> {
@@ -266,32 +270,45 @@ impl Master {
         }
     }
 
-    /// Jacobi without feedthrough: every unit reads the values of the present grid point,
-    /// steps, and leaves those of the next. No unit sees another's work, so that the result
-    /// does not depend on the number of threads.
+    /// Jacobi without feedthrough: every unit reads the values of the present grid point and
+    /// steps; then all of them leave those of the next. No unit sees another's work, so that
+    /// the result does not depend on the number of threads.
     fn advance_at_once(&mut self, step: u64) -> Result<()> {
-        let (grid, sent) = (&self.grid, &self.sent);
-        let down: Vec<bool> = self.cells.iter().map(|c| c.is_down(step)).collect();
-        let work = |(cell, next): (&mut Cell, &mut Vec<Value>)| -> Result<(), UnitError> {
-            cell.receive(sent, &down, step)?;
-            cell.step(grid, step)?;
-            cell.send(next, grid, step + 1)
+        let (grid, sent, fresh) = (&self.grid, &self.sent, &self.fresh);
+        let down: Vec<bool> = match self.outages {
+            true => self.cells.iter().map(|c| c.is_down(step)).collect(),
+            false => Vec::new(),
         };
-        if self.cells.len() < PARALLEL_FROM {
-            self.cells.iter_mut().zip(&mut self.next).try_for_each(work)?;
-        } else {
-            let failed = self
-                .cells
-                .par_iter_mut()
-                .zip(&mut self.next)
-                .with_min_len(64)
-                .map(work)
-                .find_first(Result::is_err);
-            failed.unwrap_or(Ok(()))?;
-        }
-        std::mem::swap(&mut self.sent, &mut self.next);
-        Ok(())
+        for_each(&mut self.cells, &mut vec![(); fresh.len()], |cell, ()| {
+            cell.receive(sent, fresh, &down, step)?;
+            cell.step(grid, step)
+        })?;
+        let fresh = &mut self.fresh;
+        let mut slots: Vec<_> = self.sent.iter_mut().zip(fresh).collect();
+        // Where units drop out, an input may not have what its source last sent.
+        let always = self.outages;
+        for_each(&mut self.cells, &mut slots, |cell, (sent, fresh)| {
+            **fresh = always || cell.unit.moved();
+            if **fresh { cell.send(sent, grid, step + 1) } else { Ok(()) }
+        })
     }
+}
+
+/// Does the work on every unit, on several threads where there are many; the first error in
+/// the units' order.
+fn for_each<T: Send>(
+    cells: &mut [Cell],
+    others: &mut [T],
+    work: impl Fn(&mut Cell, &mut T) -> Result<(), UnitError> + Sync,
+) -> Result<()> {
+    if cells.len() < PARALLEL_FROM {
+        cells.iter_mut().zip(others).try_for_each(|(c, o)| work(c, o))?;
+    } else {
+        let pairs = cells.par_iter_mut().zip(others).with_min_len(64);
+        let failed = pairs.map(|(c, o)| work(c, o)).find_first(Result::is_err);
+        failed.unwrap_or(Ok(()))?;
+    }
+    Ok(())
 }
 
 impl Cell {
@@ -304,11 +321,21 @@ impl Cell {
     }
 
     /// Sets the inputs from what the units have sent.
-    fn receive(&mut self, sent: &[Vec<Value>], down: &[bool], step: u64) -> Result<(), UnitError> {
+    fn receive(
+        &mut self,
+        sent: &[Vec<Value>],
+        fresh: &[bool],
+        down: &[bool],
+        step: u64,
+    ) -> Result<(), UnitError> {
         if self.is_down(step) {
             return Ok(());
         }
         for input in &mut self.inputs {
+            // It has the value already.
+            if input.link.is_none() && fresh.get(input.from.unit) == Some(&false) {
+                continue;
+            }
             let Some(value) = sent.get(input.from.unit).and_then(|s| s.get(input.slot)) else {
                 continue;
             };

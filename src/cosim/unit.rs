@@ -46,6 +46,12 @@ pub trait Unit: Send {
     /// The unit cannot compute the step.
     fn do_step(&mut self, grid: &Grid, step: u64) -> Result<(), UnitError>;
 
+    /// Whether some output may have changed since the last step began. A unit that moves
+    /// rarely saves the master work by saying so.
+    fn moved(&self) -> bool {
+        true
+    }
+
     /// Told instead of [`set`](Unit::set) where a message to this input was lost on its way.
     /// The input keeps its value; a unit that wants to know overrides this.
     fn lost(&mut self, _input: usize) {}
@@ -221,6 +227,8 @@ impl fmt::Display for Kind {
 }
 
 /// The value of a variable. Cheap to clone.
+// A whole word for the tag: values are moved word by word, millions of times.
+#[repr(u64)]
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     /// A double.
@@ -271,24 +279,49 @@ impl fmt::Display for Value {
     }
 }
 
-/// Why a unit could not do what it was asked, in the user's words.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub struct UnitError {
-    /// The unit's name.
-    pub unit: String,
-    /// The variable's name, where it is about one.
-    pub variable: Option<String>,
-    /// What was found and what was expected.
-    pub what: String,
+/// Why a unit could not do what it was asked, in the user's words. Small, because every `get`
+/// and `set` may return one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnitError(Box<UnitErrorParts>);
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct UnitErrorParts {
+    unit: String,
+    variable: Option<String>,
+    what: String,
 }
+
+impl UnitError {
+    /// An error of a unit, about one of its variables where it is about one; `what` says what
+    /// was found and what was expected.
+    pub fn new(unit: &str, variable: Option<&str>, what: impl Into<String>) -> Self {
+        Self(Box::new(UnitErrorParts {
+            unit: unit.to_owned(),
+            variable: variable.map(str::to_owned),
+            what: what.into(),
+        }))
+    }
+
+    /// The unit's name.
+    pub fn unit(&self) -> &str {
+        &self.0.unit
+    }
+
+    /// The variable's name, where the error is about one.
+    pub fn variable(&self) -> Option<&str> {
+        self.0.variable.as_deref()
+    }
+}
+
+impl std::error::Error for UnitError {}
 
 impl fmt::Display for UnitError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "unit `{}`", self.unit)?;
-        if let Some(variable) = &self.variable {
+        write!(f, "unit `{}`", self.0.unit)?;
+        if let Some(variable) = &self.0.variable {
             write!(f, ", variable `{variable}`")?;
         }
-        write!(f, ": {}", self.what)
+        write!(f, ": {}", self.0.what)
     }
 }
 
@@ -302,7 +335,7 @@ impl From<UnitError> for crate::Error {
 pub fn at_variable(unit: &dyn Unit, variable: usize, what: impl Into<String>) -> UnitError {
     let name = unit.variables().get(variable).map(|v| v.name.clone());
     let name = name.unwrap_or_else(|| format!("number {variable}"));
-    UnitError { unit: unit.name().to_owned(), variable: Some(name), what: what.into() }
+    UnitError::new(unit.name(), Some(&name), what)
 }
 
 /// The error of [`Unit::get`] for a place beyond the table.

@@ -68,24 +68,16 @@ impl Wiring {
     /// The unit has no such variable.
     pub fn port(&self, unit: usize, variable: &str) -> Result<Port> {
         let Some(named) = self.units.get(unit) else {
-            return Err(UnitError {
-                unit: format!("number {unit}"),
-                variable: Some(variable.to_owned()),
-                what: format!("expected one of the {} units", self.units.len()),
-            }
-            .into());
+            let what = format!("expected one of the {} units", self.units.len());
+            return Err(UnitError::new(&format!("number {unit}"), Some(variable), what).into());
         };
         let table = named.variables();
         match table.iter().position(|v| v.name == variable) {
             Some(place) => Ok(Port { unit, variable: place }),
             None => {
                 let known: Vec<_> = table.iter().map(|v| v.name.as_str()).collect();
-                Err(UnitError {
-                    unit: named.name().to_owned(),
-                    variable: Some(variable.to_owned()),
-                    what: format!("is unknown: expected one of {}", known.join(", ")),
-                }
-                .into())
+                let what = format!("is unknown: expected one of {}", known.join(", "));
+                Err(UnitError::new(named.name(), Some(variable), what).into())
             }
         }
     }
@@ -152,12 +144,8 @@ impl Wiring {
         let mut names = BTreeSet::new();
         for unit in &self.units {
             if !names.insert(unit.name()) {
-                return Err(UnitError {
-                    unit: unit.name().to_owned(),
-                    variable: None,
-                    what: "is the name of two units: expected different names".to_owned(),
-                }
-                .into());
+                let what = "is the name of two units: expected different names";
+                return Err(UnitError::new(unit.name(), None, what).into());
             }
         }
         Ok(())
@@ -205,12 +193,10 @@ impl Wiring {
     pub(super) fn at(&self, port: Port, what: impl Into<String>) -> crate::Error {
         match self.units.get(port.unit) {
             Some(unit) => at_variable(unit.as_ref(), port.variable, what).into(),
-            None => UnitError {
-                unit: format!("number {}", port.unit),
-                variable: None,
-                what: format!("expected one of the {} units", self.units.len()),
+            None => {
+                let what = format!("expected one of the {} units", self.units.len());
+                UnitError::new(&format!("number {}", port.unit), None, what).into()
             }
-            .into(),
         }
     }
 

@@ -11,8 +11,9 @@ use crate::cosim::store::{self, Format};
 use crate::cosim::swarm::Swarm;
 use crate::cosim::{exact_run, run as engine, summary};
 use crate::exact;
+use crate::fmi::import::substitute;
 use crate::scenario::Flight;
-use crate::{Outcome, Result};
+use crate::{Error, Outcome, Result};
 
 /// Arguments of `cordon cosim`.
 #[derive(clap::Args, Debug)]
@@ -80,7 +81,8 @@ impl FlightArgs {
             seed: self.seed,
             ..Flight::default()
         };
-        let swarm = scenario.in_file(Swarm::new(checked, flight.replaced_by(flags)))?;
+        let mut swarm = scenario.in_file(Swarm::new(checked, flight.replaced_by(flags)))?;
+        swarm.load = substitute;
         match self.compat {
             Some(Compat::Recorded) => swarm.as_recorded(),
             None => Ok(swarm),
@@ -93,6 +95,11 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let swarm = args.flight.swarm(&args.scenario)?;
     let record = flown(&swarm, args.progress)?;
     let difference = match args.exact {
+        true if !swarm.units.is_empty() => {
+            return Err(Error::input(
+                "exact: expected units of this program: FMUs compute in doubles",
+            ));
+        }
         true => Some(exact_run::difference(&swarm, &record)?),
         false => None,
     };

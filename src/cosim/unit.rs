@@ -90,8 +90,7 @@ pub fn recalled_reals<const N: usize>(
 
 /// The error of [`Resumable::recall`].
 pub fn no_memory(unit: &dyn Unit) -> UnitError {
-    let what = "this is no state of such a unit".to_owned();
-    UnitError { unit: unit.name().to_owned(), variable: None, what }
+    UnitError::new(unit.name(), None, "this is no state of such a unit")
 }
 
 /// A variable of a unit, as an FMI model description has it.

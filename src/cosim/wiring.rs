@@ -102,6 +102,22 @@ impl Wiring {
         self.outages.entry(unit).or_default().push(steps);
     }
 
+    /// Puts another unit in the place of one. It has to have the same variables.
+    ///
+    /// # Errors
+    /// The other one cannot be had.
+    pub fn substitute(
+        &mut self,
+        place: usize,
+        other: impl FnOnce(Box<dyn Unit>) -> Result<Box<dyn Unit>>,
+    ) -> Result<()> {
+        if place < self.units.len() {
+            let unit = self.units.remove(place);
+            self.units.insert(place, other(unit)?);
+        }
+        Ok(())
+    }
+
     /// The connections, each from an output to an input.
     pub fn connections(&self) -> impl Iterator<Item = (Port, Port)> {
         self.connections.iter().map(|c| (c.from, c.to))

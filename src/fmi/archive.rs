@@ -187,8 +187,7 @@ impl Fmu {
     /// # Errors
     /// It is not for co-simulation, or has no binary for this platform.
     pub fn expect_runnable(&self) -> Result<()> {
-        let fail =
-            |what: String| Err(Error::input(format!("`{}`: {what}", self.path.display())));
+        let fail = |what: String| Err(Error::input(format!("`{}`: {what}", self.path.display())));
         let Some(identifier) = &self.identifier else {
             return fail("expected an FMU for co-simulation; it is for model exchange".to_owned());
         };

@@ -8,6 +8,7 @@
 pub mod archive;
 pub mod binary;
 pub mod description;
+pub mod import;
 pub mod interface;
 pub mod package;
 pub mod slave;

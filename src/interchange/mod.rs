@@ -136,6 +136,14 @@ fn expect_plain(swarm: &Swarm) -> Result<()> {
             swarm.algorithm.name()
         )));
     }
+    if let Some(substitute) = swarm.units.first() {
+        return Err(Error::input(format!(
+            "unit: `{}` in the place of the {} of drone {}: expected units of this program only",
+            substitute.fmu.display(),
+            substitute.unit.name(),
+            substitute.drone
+        )));
+    }
     if swarm.faults.is_empty() {
         return Ok(());
     }

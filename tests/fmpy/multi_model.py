@@ -1,10 +1,10 @@
-"""Runs an INTO-CPS multi-model with FMPy: fixed step, Jacobi (read all outputs, set all inputs,
-step all units).
+"""Runs an INTO-CPS multi-model or an SSP archive with FMPy: fixed step, Jacobi (read all
+outputs, set all inputs, step all units).
 
-    python multi_model.py MULTI_MODEL.json [--out RUN.csv] [--time]
+    python multi_model.py MULTI_MODEL.json|SYSTEM.ssp [--out RUN.csv] [--time]
 
-The FMUs are looked for beside the file. The columns are those of `logVariables`; every double is
-written with the digits that read back as the same double. With `--time` the seconds that the
+The FMUs of a multi-model are looked for beside the file. The columns are those of
+`logVariables`, for an archive the outputs `x_d` and `x`; every double is written with the digits that read back as the same double. With `--time` the seconds that the
 stepping took, without loading and initialising, go to stderr.
 """
 
@@ -14,10 +14,12 @@ import shutil
 import sys
 import time
 from pathlib import Path
+from xml.etree import ElementTree
 
 from fmpy import extract, read_model_description
 from fmpy.fmi2 import FMU2Slave
 from fmpy.fmi3 import FMU3Slave
+from fmpy.ssp.ssd import read_ssd
 
 TYPES = {
     "2.0": {"Real": "Real", "Integer": "Integer", "Boolean": "Boolean", "String": "String"},
@@ -56,6 +58,8 @@ class Unit:
         setter, reference, kind = self._call("set", name)
         if kind in ("Real", "Float64"):
             value = float(value)
+        elif kind in ("Integer", "Int64"):
+            value = int(value)
         elif kind == "String":
             value = str(value)
         setter(reference, [value])
@@ -75,14 +79,47 @@ def split(port):
     return fmu + "}", instance, variable
 
 
+def from_ssp(path):
+    """An SSP archive as a multi-model, and the folder that it was extracted to."""
+    system = read_ssd(str(path)).system  # validates against the schema
+    folder = Path(extract(str(path)))
+    root = ElementTree.parse(folder / "SystemStructure.ssd").getroot()
+    end = root.find("{*}DefaultExperiment").get("stopTime")
+    model = {"fmus": {}, "connections": {}, "parameters": {}, "logVariables": {}}
+    name = {}
+    for c in system.elements:
+        key = "{" + Path(c.source).stem + "}"
+        model["fmus"][key] = c.source
+        name[c.name] = f"{key}.{c.name}"
+        for binding in c.parameterBindings:
+            for values in binding.parameterValues:
+                for p in values.parameters:
+                    value = {"false": False, "true": True}.get(p.value, p.value)
+                    model["parameters"][f"{name[c.name]}.{p.name}"] = value
+        logged = [k.name for k in c.connectors if k.kind == "output" and k.name in ("x_d", "x")]
+        if logged:
+            model["logVariables"][name[c.name]] = logged
+    for c in system.connections:
+        source = f"{name[c.startElement]}.{c.startConnector}"
+        target = f"{name[c.endElement]}.{c.endConnector}"
+        model["connections"].setdefault(source, []).append(target)
+    fmu = read_model_description(str(folder / system.elements[0].source))
+    model["algorithm"] = {"size": float(fmu.defaultExperiment.stepSize)}
+    model["endTime"] = float(end)
+    return model, folder
+
+
 def run(path, out):
-    model = json.loads(path.read_text())
+    if path.suffix == ".ssp":
+        model, base = from_ssp(path)
+    else:
+        model, base = json.loads(path.read_text()), path.parent
     ports = set(model["connections"]) | set(model["parameters"])
     ports |= {i for inputs in model["connections"].values() for i in inputs}
     names = sorted({split(p)[:2] for p in ports})
     fmus = {}
     for key, file in model["fmus"].items():
-        folder = extract(str(path.parent / file))
+        folder = extract(str(base / file))
         fmus[key] = (read_model_description(folder), folder)
     units = {(key, name): Unit(name, *fmus[key]) for key, name in names}
 
@@ -131,7 +168,10 @@ def run(path, out):
     for u in units.values():
         u.fmu.terminate()
         u.fmu.freeInstance()
-    for _, folder in fmus.values():
+    folders = [folder for _, folder in fmus.values()]
+    if path.suffix == ".ssp":
+        folders.append(base)
+    for folder in folders:
         shutil.rmtree(folder, ignore_errors=True)
     print(",".join(["time"] + columns), file=out)
     for row in rows:

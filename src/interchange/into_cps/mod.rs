@@ -3,8 +3,11 @@
 //! One file holds the multi-model (`fmus`, `connections`, `parameters`) and the configuration of
 //! the co-simulation (`algorithm`, `endTime`, `logVariables`), as Maestro takes it.
 
+mod ports;
+mod read;
 mod write;
 
+pub use read::{is_multi_model, read};
 pub use write::{FILE_NAME, fmu_file, multi_model};
 
 use std::collections::BTreeMap;

@@ -136,7 +136,10 @@ fn flies_the_same(python: &str, scenario: &str, flags: &[&str], version: &str, s
         let theirs = &there[name];
         assert_eq!(ours.len(), theirs.len(), "{name}");
         for (k, (a, b)) in ours.iter().zip(theirs).enumerate() {
-            assert!(a.to_bits() == b.to_bits(), "{scenario}, FMI {version}: {name}, row {k}: {a} {b}");
+            assert!(
+                a.to_bits() == b.to_bits(),
+                "{scenario}, FMI {version}: {name}, row {k}: {a} {b}"
+            );
             compared += 1;
         }
     }

@@ -94,8 +94,7 @@ fn a_state_that_went_through_bytes_goes_on_as_before() {
         let feed = |slave: &mut Slave, k: u32| {
             for reference in &inputs {
                 let x = f64::from((k * 7 + reference * 3) % 11) / 8.0;
-                let value =
-                    if exact { Value::Text(x.to_string().into()) } else { Value::Real(x) };
+                let value = if exact { Value::Text(x.to_string().into()) } else { Value::Real(x) };
                 slave.set(*reference, &value).unwrap();
             }
             slave.do_step(f64::from(k) * 0.05, 0.05).unwrap();
@@ -299,7 +298,8 @@ fn what_other_tools_do_not_have_is_not_exported() {
     let out = path("x.ssp");
     let consensus = ["export", "ssp", "scenarios/consensus.toml", "--out", &out];
     fails(&consensus, 2, &["protocol: `consensus`: expected `coverage`"]);
-    let seidel = ["export", "ssp", "scenarios/paper.toml", "--master", "gauss-seidel", "--out", &out];
+    let seidel =
+        ["export", "ssp", "scenarios/paper.toml", "--master", "gauss-seidel", "--out", &out];
     fails(&seidel, 2, &["master: `gauss-seidel`: expected `jacobi`"]);
     assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
 }
@@ -342,7 +342,8 @@ fn an_fmu_that_cannot_take_a_units_place_is_named_with_the_reason() {
         (!name.ends_with(".xml")).then(|| (name.to_owned(), bytes))
     });
     changed(&good, &file("feet.fmu"), |name, bytes| {
-        let feet = || String::from_utf8_lossy(&bytes).replace(r#"Real unit="m"/"#, r#"Real unit="ft"/"#);
+        let feet =
+            || String::from_utf8_lossy(&bytes).replace(r#"Real unit="m"/"#, r#"Real unit="ft"/"#);
         let xml = name.ends_with(".xml");
         Some((name.to_owned(), if xml { feet().into_bytes() } else { bytes.clone() }))
     });
@@ -365,7 +366,8 @@ fn an_fmu_that_cannot_take_a_units_place_is_named_with_the_reason() {
         fails(&["cosim", &scenario, "--out", &run_csv], code, &[name, part]);
         assert!(!Path::new(&run_csv).exists());
     }
-    let unknown = "start = [0, 1, 3]\nweight = 0.5\n[[unit]]\ndrone = 1\nunit = \"rotor\"\nfmu = \"x\"\n";
+    let unknown =
+        "start = [0, 1, 3]\nweight = 0.5\n[[unit]]\ndrone = 1\nunit = \"rotor\"\nfmu = \"x\"\n";
     fs::write(&scenario, unknown).unwrap();
     fails(&["cosim", &scenario], 2, &["s.toml:5:8: unit: `rotor` is unknown"]);
     let beyond = "start = [0, 1, 3]\nweight = 0.5\n[[unit]]\ndrone = 7\nunit = \"plant\"\nfmu = \"plant.fmu\"\n";

@@ -206,6 +206,42 @@ impl Fmu {
     }
 }
 
+#[cfg(feature = "fmi-import")]
+impl Fmu {
+    /// Extracts the archive into a temporary folder.
+    ///
+    /// # Errors
+    /// It cannot be extracted, in words.
+    pub(super) fn extract(&self) -> Result<tempfile::TempDir, String> {
+        let failed = |e: &dyn std::fmt::Display| format!("it cannot be extracted: {e}");
+        let folder = tempfile::Builder::new().prefix("cordon-fmu-").tempdir();
+        let folder = folder.map_err(|e| failed(&e))?;
+        let file = std::fs::File::open(&self.path).map_err(|e| failed(&e))?;
+        let mut archive = ZipArchive::new(file).map_err(|e| failed(&e))?;
+        archive.extract(&folder).map_err(|e| failed(&e))?;
+        Ok(folder)
+    }
+
+    /// As much of the model description as it takes to make an instance. The crate `fmi` 0.8
+    /// refuses whole ones: it does not know the attribute `unit` of FMI 3.0 variables.
+    pub(super) fn bare_description(&self) -> String {
+        let token_name = match self.version {
+            FmiVersion::V2 => "guid",
+            FmiVersion::V3 => "instantiationToken",
+        };
+        let text = |t: &str| quick_xml::escape::escape(t).into_owned();
+        format!(
+            "<fmiModelDescription fmiVersion=\"{}\" modelName=\"{}\" {token_name}=\"{}\">\
+             <CoSimulation modelIdentifier=\"{}\"/><ModelVariables/><ModelStructure/>\
+             </fmiModelDescription>",
+            self.version,
+            text(&self.model_name),
+            text(&self.token),
+            text(self.identifier.as_deref().unwrap_or_default())
+        )
+    }
+}
+
 /// The version that a model description says.
 fn fmi_version(text: &str) -> Result<FmiVersion, String> {
     #[derive(Deserialize)]

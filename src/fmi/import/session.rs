@@ -7,6 +7,7 @@ use fmi::fmi2::instance::{CoSimulation as _, Common as _, InstanceCS as Instance
 use fmi::fmi3::import::Fmi3Import;
 use fmi::fmi3::instance::InstanceCS as Instance3;
 use fmi::fmi3::{CoSimulation as _, Common as _, Fmi3Model as _, GetSet as _};
+use fmi::traits::FmiImport as _;
 
 use super::adapter::Counterpart;
 use super::log;
@@ -58,14 +59,16 @@ impl Session {
     /// Loads the binary and makes an instance.
     pub(super) fn load(fmu: &Fmu, name: &str) -> Result<Self, String> {
         let failed = |e: fmi::Error| explained("loading", e);
+        let folder = fmu.extract()?;
+        let description = fmu.bare_description();
         match fmu.version {
             FmiVersion::V2 => {
-                let import: Fmi2Import = fmi::import::from_path(&fmu.path).map_err(failed)?;
+                let import = Fmi2Import::new(folder, &description).map_err(failed)?;
                 let instance = import.instantiate_cs(name, false, true).map_err(failed)?;
                 Ok(Self::V2(instance, Box::new(import)))
             }
             FmiVersion::V3 => {
-                let import: Fmi3Import = fmi::import::from_path(&fmu.path).map_err(failed)?;
+                let import = Fmi3Import::new(folder, &description).map_err(failed)?;
                 let instance =
                     import.instantiate_cs(name, false, true, false, false, &[]).map_err(failed)?;
                 Ok(Self::V3(instance, Box::new(import)))

@@ -2,8 +2,10 @@
 //!
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
+mod check;
 mod errata;
 mod local;
+mod prove;
 pub mod scenario_args;
 pub mod select;
 mod setup;
@@ -40,6 +42,10 @@ pub enum Command {
     Errata(errata::Args),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
+    /// Search certificates for theorems: for every N, every step and every weight in the range
+    Prove(prove::Args),
+    /// Check certificates with the independent checker
+    Check(check::Args),
     /// Print a completion script for a shell
     Completions(setup::Args),
     /// Print the manual page (roff; read it with `cordon man | man -l -`)
@@ -57,6 +63,8 @@ impl Cli {
             Command::Local(args) => local::run(&args, out),
             Command::Errata(args) => errata::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
+            Command::Prove(args) => prove::run(&args, out),
+            Command::Check(args) => check::run(&args, out),
             Command::Completions(args) => setup::completions(&args, out),
             Command::Man => setup::man(out),
         }

@@ -8,6 +8,7 @@ pub mod cli;
 pub mod error;
 pub mod exact;
 pub mod files;
+pub mod scalar;
 pub mod stencil;
 
 pub use error::{Error, Outcome, Result};

@@ -10,6 +10,7 @@ pub mod exact;
 pub mod files;
 pub mod scalar;
 pub mod stencil;
+pub mod sweep;
 
 pub use error::{Error, Outcome, Result};
 pub use exact::Rational;

@@ -95,7 +95,6 @@ fn steps(n: usize) -> String {
 /// Counts of the cases of a work item. On a grid a case is a start and a step k; in a complete
 /// sweep it is a step k, for all real starts at once.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct Counts {
     /// Starts tried; in a complete sweep, generators of the set of all starts.
     pub starts: u64,
@@ -141,7 +140,6 @@ impl Counts {
 
 /// What one work item has found: one line of a result file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct Finding {
     /// Position in the sweep, from 0.
     pub item: usize,

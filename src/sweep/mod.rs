@@ -11,13 +11,20 @@
 //!
 //! Where a grid is too large, random starts on it give evidence of the kind "sampled".
 
+pub mod complete;
 pub mod config;
 pub mod exhaust;
 pub mod finding;
 pub mod grid;
 pub mod kernel;
 pub mod machine;
+pub mod merge;
+pub mod minimise;
 pub mod range;
+pub mod run;
+pub mod sample;
+pub mod store;
+pub mod summary;
 pub mod weights;
 
 pub use config::{Config, Item, Starts};

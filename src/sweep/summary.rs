@@ -81,7 +81,10 @@ fn claim(theorem: Theorem, form: Form, findings: &[&Finding]) -> Result<Claim> {
         verdict,
         evidence: findings.first().map(|f| f.evidence),
         counterexample: Minimal::of(findings.iter().copied())?,
-        reason: findings.iter().find_map(|f| f.reason.clone()),
+        reason: findings
+            .iter()
+            .find(|f| f.verdict == Judgement::Undecided)
+            .and_then(|f| f.reason.clone()),
     })
 }
 

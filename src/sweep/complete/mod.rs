@@ -52,7 +52,8 @@ pub fn complete(item: &Item, steps: usize) -> Finding {
     let mut decider = Decider::new(item);
     let mut counts = Counts { starts: decider.generator_count() as u64, ..Counts::default() };
     let mut counterexample = None;
-    let mut reason = None;
+    let mut undecided = None;
+    let mut unknown_premise = None;
     for k in 0..=steps {
         if k > 0 {
             decider.advance();
@@ -63,8 +64,8 @@ pub fn complete(item: &Item, steps: usize) -> Finding {
                 Premise::Met => counts.non_vacuous += 1,
                 Premise::Never => {}
                 Premise::Unknown => {
-                    reason.get_or_insert(format!(
-                        "step {k}: the premise is not known to be met by any start"
+                    unknown_premise.get_or_insert(format!(
+                        "step {k}: it is not known whether some start meets the premise"
                     ));
                 }
             },
@@ -78,7 +79,7 @@ pub fn complete(item: &Item, steps: usize) -> Finding {
                     }
                     None => {
                         counts.undecided += 1;
-                        reason.get_or_insert(format!("step {k}: {why}"));
+                        undecided.get_or_insert(format!("step {k}: {why}"));
                     }
                 }
             }
@@ -97,7 +98,7 @@ pub fn complete(item: &Item, steps: usize) -> Finding {
         counts,
         verdict: counts.judgement(),
         counterexample,
-        reason,
+        reason: undecided.or(unknown_premise),
     }
 }
 

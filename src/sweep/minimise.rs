@@ -30,9 +30,10 @@ pub struct Minimal {
     pub violation: String,
 }
 
-/// Most starts that are tried on shorter segments; a counterexample stays as it was found
-/// where these are not enough.
-const MOST_TRIALS: u64 = 300_000;
+/// Most drone updates that are spent on shorter segments; a counterexample stays as it was
+/// found where these are not enough. Squares are slower.
+const MOST_UPDATES: u64 = 100_000_000;
+const MOST_UPDATES_OF_SQUARES: u64 = 5_000_000;
 
 impl Minimal {
     /// The simplest among the counterexamples of these findings, all of one theorem and form.
@@ -75,16 +76,20 @@ impl Minimal {
         let Some(longest) = self.start.last().and_then(|x| x.parse::<i64>().ok()) else {
             return self;
         };
-        let mut trials = 0;
+        let most = match self.theorem.degree() {
+            1 => MOST_UPDATES,
+            _ => MOST_UPDATES_OF_SQUARES,
+        };
+        let mut left = most;
         for length in 1..=longest {
             let Some(grid) = Grid::of_length(starts(&item), item.drones, length) else { break };
             let engine = engine(&item, self.step, length);
             let mut tally = Tally::default();
             grid.for_each(&[], |start| {
-                trials += 1;
                 engine.start(start, false, &mut tally);
-                trials < MOST_TRIALS
+                tally.counts.updates < left
             });
+            left = left.saturating_sub(tally.counts.updates.max(1));
             if let Some(found) = tally.counterexample() {
                 return Self {
                     step: found.step,
@@ -93,7 +98,7 @@ impl Minimal {
                     ..self
                 };
             }
-            if trials >= MOST_TRIALS {
+            if left == 0 {
                 break;
             }
         }

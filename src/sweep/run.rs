@@ -47,9 +47,9 @@ pub fn work(config: &Config, items: &[Item]) -> Result<u64> {
         total += work_of(config, item)?;
     }
     u64::try_from(&total).map_err(|_| {
-        Error::input(format!(
-            "grid: the sweep has {total} drone updates: expected fewer than 2^64 (a coarser grid, fewer drones or `--sample`)"
-        ))
+        Error::input(
+            "grid: the sweep has more than 2^64 drone updates: expected a coarser grid, fewer drones or `--sample`",
+        )
     })
 }
 

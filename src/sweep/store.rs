@@ -4,7 +4,6 @@
 //! A file grows by whole lines only. A sweep that was killed leaves at most its last line torn;
 //! opening the file again cuts that off, takes over what is finished and goes on.
 
-use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions};
 use std::io::{Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -191,23 +190,22 @@ fn same(path: &Path, wanted: &Header, found: &Header) -> Result<()> {
 }
 
 /// The first field in which two headers differ, with both values.
+///
+/// # Errors
+/// None in practice: headers can be written as JSON.
 pub fn difference(a: &Header, b: &Header) -> Result<Option<(String, String, String)>> {
-    let fields = |h: &Header| -> Result<BTreeMap<String, serde_json::Value>> {
-        let value = serde_json::to_value(&h.config).map_err(std::io::Error::from)?;
-        let mut fields: BTreeMap<_, _> = match value {
-            serde_json::Value::Object(map) => map.into_iter().collect(),
-            _ => BTreeMap::new(),
-        };
-        fields.insert("shard".into(), format!("{}/{}", h.shard.index, h.shard.of).into());
-        fields.insert("items".into(), h.items.into());
+    let fields = |h: &Header| -> Result<Vec<(String, String)>> {
+        let config = serde_json::to_value(&h.config).map_err(std::io::Error::from)?;
+        let config = config.as_object().into_iter().flatten();
+        let mut fields: Vec<_> =
+            config.map(|(name, value)| (name.replace('_', " "), value.to_string())).collect();
+        fields.push(("shard".into(), format!("{}/{}", h.shard.index, h.shard.of)));
+        fields.push(("number of work items".into(), h.items.to_string()));
         Ok(fields)
     };
-    let (a, b) = (fields(a)?, fields(b)?);
-    Ok(a.into_iter().find_map(|(name, here)| {
-        let there = b.get(&name).cloned().unwrap_or_default();
-        let plain = name.replace('_', " ");
-        (here != there).then(|| (plain, there.to_string(), here.to_string()))
-    }))
+    let both = fields(a)?.into_iter().zip(fields(b)?);
+    let differs = both.into_iter().find(|((_, here), (_, there))| here != there);
+    Ok(differs.map(|((name, here), (_, there))| (name, there, here)))
 }
 
 /// Refuses findings that are not those of the first items, in order.

@@ -5,9 +5,10 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use cordon::Rational;
-use cordon::sweep::Item;
 use cordon::sweep::exhaust::{Tally, engine, sweep};
 use cordon::sweep::grid::Grid;
+use cordon::sweep::run::{Progress, run};
+use cordon::sweep::{Config, Item, Starts, Weights};
 use cordon_spec::theorems::{Form, Theorem};
 use divan::counter::ItemsCount;
 
@@ -65,9 +66,30 @@ fn drone_updates(bencher: divan::Bencher, work: &Work) {
     };
     let starts = work.theorem.hypothesis(Form::Sharp).starts;
     let grid = Grid::new(starts, work.drones, work.resolution).expect("small");
-    let run = || -> Tally { sweep(&*engine(&item, work.steps, grid.length), &grid, &[]) };
+    let run = || -> Tally { sweep(&*engine(&item, work.steps, grid.length), &grid, &grid.whole()) };
     let tally = run();
     assert_eq!(tally.counts.violations, 0);
     assert!(tally.counts.non_vacuous > 0);
     bencher.counter(ItemsCount::new(tally.counts.updates)).bench(run);
+}
+
+/// The whole engine on all cores, as `cordon sweep` runs it: several work items, pieces, sums.
+#[divan::bench(sample_count = 5, sample_size = 1)]
+fn all_cores(bencher: divan::Bencher) {
+    let weights = Weights::List(vec!["1/5".into(), "1/3".into(), "2/5".into()]);
+    let theorems = [Theorem::Ordering, Theorem::SumBounded];
+    let starts = Starts::Grid { resolution: 24 };
+    let config = Config::new(&theorems, &[Form::Sharp], [5, 7], weights, 20, starts);
+    let items = config.items().expect("valid");
+    let whole = || -> u64 {
+        let mut updates = 0;
+        run(&config, &items, 0, &Progress::default(), |finding| {
+            assert_eq!(finding.counts.violations, 0);
+            updates += finding.counts.updates;
+            Ok(())
+        })
+        .expect("runs");
+        updates
+    };
+    bencher.counter(ItemsCount::new(whole())).bench(whole);
 }

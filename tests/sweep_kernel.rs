@@ -139,7 +139,7 @@ fn mirror_reduction_changes_no_count() {
             let grid = Grid::new(starts, 5, 8).unwrap();
             let engine = engine(&item, 6, grid.length);
             let (mut whole, mut reduced) = (Tally::default(), Tally::default());
-            grid.for_each(&[], |start| {
+            grid.for_each(&grid.whole(), |start| {
                 engine.start(start, true, &mut whole);
                 engine.start(start, false, &mut reduced);
                 true

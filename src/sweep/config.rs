@@ -71,7 +71,7 @@ const MAX_DRONES: usize = 64;
 const MAX_STEPS: usize = 100_000;
 
 /// Most work items in one sweep.
-const MAX_ITEMS: usize = 5_000_000;
+const MAX_ITEMS: usize = 1_000_000;
 
 impl Config {
     /// A configuration of this program's version.

@@ -9,7 +9,7 @@ use num_bigint::BigInt;
 
 use super::config::Item;
 use super::finding::{Counterexample, Counts, described};
-use super::grid::Grid;
+use super::grid::{Grid, Piece};
 use super::kernel::{Dynamic, Fixed, Shape, Window, widened};
 use super::machine::{Machine, Wide, Widened};
 use super::range::Range;
@@ -276,10 +276,10 @@ pub fn engine(item: &Item, steps: usize, length: i64) -> Box<dyn Engine> {
     }
 }
 
-/// Every start of a grid that begins with the prefix.
-pub fn sweep(engine: &dyn Engine, grid: &Grid, prefix: &[i64]) -> Tally {
+/// Every start of a piece of a grid.
+pub fn sweep(engine: &dyn Engine, grid: &Grid, piece: &Piece) -> Tally {
     let mut tally = Tally::default();
-    grid.for_each(prefix, |start| {
+    grid.for_each(piece, |start| {
         engine.start(start, false, &mut tally);
         true
     });

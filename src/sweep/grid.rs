@@ -23,6 +23,23 @@ use cordon_spec::theorems::{StartSet, Theorem};
 use num_bigint::BigUint;
 use num_integer::binomial;
 
+/// Starts of a grid: those whose first internal drones are at `before` and whose next one is
+/// in `next`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Piece {
+    before: Vec<i64>,
+    next: RangeInclusive<i64>,
+}
+
+/// A grid with fewer starts is one piece.
+const SMALL: u32 = 2_000;
+
+/// On a segment up to this length a piece fixes two drones: at most 65^2 pieces.
+const SHORT: i64 = 64;
+
+/// About how many pieces a longer one has.
+const MANY: i64 = 1024;
+
 /// The starts of one start set for N drones on one grid.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Grid {
@@ -89,32 +106,51 @@ impl Grid {
         low..=self.highest.get(before.len()).copied().unwrap_or(-1)
     }
 
-    /// Every way to place the first `depth` internal drones, in lexicographic order: the
-    /// pieces that may be swept apart.
-    pub fn prefixes(&self, depth: usize) -> Vec<Vec<i64>> {
-        let mut prefixes = vec![Vec::new()];
-        for _ in 0..depth.min(self.highest.len()) {
-            let longer = prefixes.iter().flat_map(|before| {
-                self.choices(before).map(|x| {
-                    let mut prefix = before.clone();
-                    prefix.push(x);
-                    prefix
-                })
-            });
-            prefixes = longer.collect();
-        }
-        prefixes
+    /// The whole grid as one piece.
+    pub fn whole(&self) -> Piece {
+        Piece { before: Vec::new(), next: self.choices(&[]) }
     }
 
-    /// Visits every start that begins with the prefix (internal drones only), in
-    /// lexicographic order; drone 0 is at 0 and drone N-1 at L. Ends early when `visit`
-    /// answers false.
-    pub fn for_each(&self, prefix: &[i64], mut visit: impl FnMut(&[i64]) -> bool) {
+    /// The grid in pieces that can be swept apart, in lexicographic order: several times as
+    /// many as a machine has cores where the grid is large, never more than a few thousand.
+    pub fn pieces(&self) -> Vec<Piece> {
+        let Piece { next: first, .. } = self.whole();
+        if self.size() < SMALL.into() {
+            return vec![self.whole()];
+        }
+        if self.length <= SHORT {
+            // One piece for each place of the first two internal drones.
+            let second = |x: i64| self.choices(&[x]).map(move |y| (x, y));
+            return first
+                .flat_map(second)
+                .map(|(x, y)| Piece { before: vec![x], next: y..=y })
+                .collect();
+        }
+        let width = (first.end() - first.start()) / MANY + 1;
+        let last = *first.end();
+        let starts = std::iter::successors(Some(*first.start()), |x| x.checked_add(width));
+        starts
+            .take_while(|x| *x <= last)
+            .map(|x| Piece { before: Vec::new(), next: x..=(x + (width - 1)).min(last) })
+            .collect()
+    }
+
+    /// Visits every start of a piece in lexicographic order; drone 0 is at 0 and drone N-1 at
+    /// L. Ends early when `visit` answers false.
+    pub fn for_each(&self, piece: &Piece, mut visit: impl FnMut(&[i64]) -> bool) {
         let mut start = Vec::with_capacity(self.count);
         start.push(0);
-        start.extend_from_slice(prefix);
+        start.extend_from_slice(&piece.before);
+        let at = start.len();
         start.resize(self.count, self.length);
-        self.descend(prefix.len(), &mut start, &mut visit);
+        for x in piece.next.clone() {
+            if let Some(place) = start.get_mut(at) {
+                *place = x;
+            }
+            if !self.descend(at, &mut start, &mut visit) {
+                return;
+            }
+        }
     }
 
     /// Places internal drone number `at` and those after it. The depth is N-2.
@@ -199,10 +235,10 @@ mod tests {
     const SETS: [StartSet; 4] =
         [StartSet::Any, StartSet::Ordered, StartSet::FirstSubsegment, StartSet::UpperBounded];
 
-    fn listed(grid: &Grid, depth: usize) -> Vec<Vec<i64>> {
+    fn listed(grid: &Grid, pieces: &[Piece]) -> Vec<Vec<i64>> {
         let mut all = Vec::new();
-        for prefix in grid.prefixes(depth) {
-            grid.for_each(&prefix, |start| {
+        for piece in pieces {
+            grid.for_each(piece, |start| {
                 all.push(start.to_vec());
                 true
             });
@@ -215,7 +251,8 @@ mod tests {
         let setting = Setting { min: 0, max: length, eps_num: 0, eps_den: 1 };
         let mut all = Vec::new();
         let everywhere = Grid::of_length(StartSet::Any, count, length);
-        everywhere.unwrap_or_else(|| unreachable!("small")).for_each(&[], |x| {
+        let everywhere = everywhere.unwrap_or_else(|| unreachable!("small"));
+        everywhere.for_each(&everywhere.whole(), |x| {
             if starts.contains(&setting, x) == Truth::True {
                 all.push(x.to_vec());
             }
@@ -234,9 +271,8 @@ mod tests {
                         unreachable!("small")
                     };
                     let wanted = by_brute_force(starts, count, length);
-                    for depth in 0..4 {
-                        assert_eq!(listed(&grid, depth), wanted, "{starts:?} {count} {length}");
-                    }
+                    let got = listed(&grid, &[grid.whole()]);
+                    assert_eq!(got, wanted, "{starts:?} {count} {length}");
                     assert_eq!(grid.size(), BigUint::from(wanted.len()));
                     assert!(wanted.is_sorted());
                     seen += wanted.len();
@@ -244,6 +280,24 @@ mod tests {
             }
         }
         assert_eq!(seen, 30_795);
+    }
+
+    /// Small, short and long grids: in one piece, by two drones, by ranges of one.
+    #[test]
+    fn pieces_are_the_whole_in_order() {
+        let mut numbers = Vec::new();
+        for starts in SETS {
+            for (count, length) in [(3, 60), (5, 40), (4, 120), (3, 50_000)] {
+                let Some(grid) = Grid::of_length(starts, count, length) else {
+                    unreachable!("small")
+                };
+                let pieces = grid.pieces();
+                assert_eq!(listed(&grid, &pieces), listed(&grid, &[grid.whole()]));
+                numbers.push(pieces.len());
+            }
+        }
+        let wanted = [1, 1681, 121, 1021, 1, 703, 118, 1021, 1, 1, 1, 1000, 1, 231, 41, 1001];
+        assert_eq!(numbers, wanted);
     }
 
     #[test]

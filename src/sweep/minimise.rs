@@ -85,7 +85,7 @@ impl Minimal {
             let Some(grid) = Grid::of_length(starts(&item), item.drones, length) else { break };
             let engine = engine(&item, self.step, length);
             let mut tally = Tally::default();
-            grid.for_each(&[], |start| {
+            grid.for_each(&grid.whole(), |start| {
                 engine.start(start, false, &mut tally);
                 tally.counts.updates < left
             });

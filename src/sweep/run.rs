@@ -21,16 +21,25 @@ use crate::{Error, Result};
 /// Work done so far, in drone updates (in a complete sweep: in work items); other threads may
 /// watch it.
 #[derive(Debug, Default)]
-pub struct Progress(AtomicU64);
+pub struct Progress {
+    covered: AtomicU64,
+    executed: AtomicU64,
+}
 
 impl Progress {
-    /// The work done.
-    pub fn done(&self) -> u64 {
-        self.0.load(Ordering::Relaxed)
+    /// The work that is covered, mirror images included: the part of [`work`] that is done.
+    pub fn covered(&self) -> u64 {
+        self.covered.load(Ordering::Relaxed)
     }
 
-    fn add(&self, work: u64) {
-        self.0.fetch_add(work, Ordering::Relaxed);
+    /// The work that was executed for it.
+    pub fn executed(&self) -> u64 {
+        self.executed.load(Ordering::Relaxed)
+    }
+
+    fn add(&self, covered: u64, executed: u64) {
+        self.covered.fetch_add(covered, Ordering::Relaxed);
+        self.executed.fetch_add(executed, Ordering::Relaxed);
     }
 }
 
@@ -65,7 +74,7 @@ fn work_of(config: &Config, item: &Item) -> Result<BigUint> {
 
 /// Least work, in drone updates, that is worth a batch: what keeps every thread busy for a
 /// while, and the longest time that a killed sweep loses short of one item.
-const BATCH_WORK: u64 = 200_000_000;
+const BATCH_WORK: u64 = 50_000_000;
 
 /// Most items in a batch.
 const BATCH_ITEMS: usize = 512;
@@ -113,7 +122,7 @@ fn find(config: &Config, item: &Item, progress: &Progress) -> Result<Finding> {
     match config.starts {
         Starts::Complete => {
             let finding = complete(item, config.steps);
-            progress.add(1);
+            progress.add(1, 1);
             Ok(finding)
         }
         Starts::Grid { resolution } => {
@@ -121,11 +130,11 @@ fn find(config: &Config, item: &Item, progress: &Progress) -> Result<Finding> {
             let engine = engine(item, config.steps, grid.length);
             let updates = per_start(config, item);
             let tally = grid
-                .prefixes(depth(&grid))
+                .pieces()
                 .par_iter()
-                .map(|prefix| {
-                    let tally = sweep(&*engine, &grid, prefix);
-                    progress.add(tally.counts.starts.saturating_mul(updates));
+                .map(|piece| {
+                    let tally = sweep(&*engine, &grid, piece);
+                    progress.add(tally.counts.starts.saturating_mul(updates), tally.counts.updates);
                     tally
                 })
                 .reduce(Tally::default, Tally::merge);
@@ -139,7 +148,7 @@ fn find(config: &Config, item: &Item, progress: &Progress) -> Result<Finding> {
                 .into_par_iter()
                 .map(|piece| {
                     let tally = sample(&*engine, &grid, samples, piece, seed, item.number);
-                    progress.add(tally.counts.starts.saturating_mul(updates));
+                    progress.add(tally.counts.starts.saturating_mul(updates), tally.counts.updates);
                     tally
                 })
                 .reduce(Tally::default, Tally::merge);
@@ -164,20 +173,6 @@ pub fn starts(item: &Item) -> StartSet {
 /// Drone updates of one start, mirror images included.
 fn per_start(config: &Config, item: &Item) -> u64 {
     (item.drones * (config.steps + item.theorem.span(item.form, item.drones))) as u64
-}
-
-/// How many positions the pieces of an item fix: enough pieces for every core, not so many
-/// that their list counts.
-fn depth(grid: &Grid) -> usize {
-    const SMALL: u32 = 2_000;
-    const WIDE: i64 = 512;
-    if grid.size() < SMALL.into() {
-        0
-    } else if grid.length > WIDE {
-        1
-    } else {
-        2
-    }
 }
 
 fn finding(item: &Item, evidence: Evidence, grid: &Grid, tally: &Tally) -> Finding {

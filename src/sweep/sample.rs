@@ -85,7 +85,7 @@ mod tests {
             let mut random = SplitMix(7);
             let mut start = Vec::new();
             let mut wanted = 0u32;
-            grid.for_each(&[], |_| {
+            grid.for_each(&grid.whole(), |_| {
                 wanted += 1;
                 true
             });
@@ -93,7 +93,7 @@ mod tests {
                 assert!(grid.draw(&mut |bound| random.below(bound), &mut start));
                 *seen.entry(start.clone()).or_default() += 1;
             }
-            grid.for_each(&[], |start| {
+            grid.for_each(&grid.whole(), |start| {
                 let times = seen.remove(start).unwrap_or(0);
                 assert!((850..1150).contains(&times), "{starts:?} {start:?} {times}");
                 true

@@ -60,7 +60,7 @@ pub(super) fn watched(
         let drawn = &bar;
         scope.spawn(move || {
             while waiting.recv_timeout(REFRESH) == Err(RecvTimeoutError::Timeout) {
-                drawn.set_position(progress.done());
+                drawn.set_position(progress.covered());
             }
         });
         let result = job();
@@ -70,13 +70,17 @@ pub(super) fn watched(
     bar.finish_and_clear();
     if result.is_ok() {
         let seconds = began.elapsed().as_secs_f64();
-        let done = progress.done();
+        let (done, covered) = (progress.executed(), progress.covered());
         let rate = done as f64 / seconds.max(1e-9);
         let rate =
             if rate >= 1e6 { format!("{:.0} million", rate / 1e6) } else { format!("{rate:.0}") };
+        let mirrored = match covered - done {
+            0 => String::new(),
+            images => format!(" (and {images} by symmetry)"),
+        };
         let _ = writeln!(
             std::io::stderr(),
-            "{done} {} in {seconds:.2} s: {rate} a second",
+            "{done} {}{mirrored} in {seconds:.2} s: {rate} a second",
             unit.name()
         );
     }

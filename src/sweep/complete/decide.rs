@@ -13,7 +13,7 @@ use super::matrix::ErrorMatrix;
 use super::run_from;
 use crate::stencil::Stencil;
 use crate::sweep::config::Item;
-use crate::sweep::kernel::Window;
+use crate::sweep::kernel::{Window, step};
 
 type Run = Window<BigInt, Vec<BigInt>>;
 
@@ -54,6 +54,8 @@ pub(super) struct Decider<'a> {
     /// The verdict on the run from all drones at their targets.
     at_targets: Verdict,
     units: Option<Units>,
+    /// Whether the step has what all arguments build on ([`lawful`]).
+    lawful: bool,
 }
 
 /// What 7.7 needs: runs from starts with one drone off its target, by 1 where l is 1.
@@ -79,7 +81,8 @@ impl<'a> Decider<'a> {
         let at_targets = run_from(item, &stencil, &targets(count)).verdict(theorem, form);
         let matrix = ErrorMatrix::of(&item.eps, count);
         let units = (theorem == Theorem::GloballyIncreasing).then(|| Units::new(item, &stencil));
-        Self { item, stencil, generators, runs, matrix, at_targets, units }
+        let lawful = lawful(&stencil, count);
+        Self { item, stencil, generators, runs, matrix, at_targets, units, lawful }
     }
 
     pub(super) fn generator_count(&self) -> usize {
@@ -101,6 +104,9 @@ impl<'a> Decider<'a> {
     /// Decides the present step.
     pub(super) fn decide(&self) -> Decision {
         let count = self.item.drones;
+        if !self.lawful {
+            return self.search("the step moves the targets, or does not move with a shift");
+        }
         match self.item.theorem {
             Theorem::Ordering => self.all((0..count - 1).map(|i| self.gap(i)), true),
             Theorem::UpperBound => self.all((0..count).map(|i| self.error(i)), false),
@@ -311,6 +317,19 @@ impl Units {
     }
 }
 
+/// Whether a step keeps all drones at their targets, wherever the segment is: then errors step
+/// to errors, and starts matter up to a shift.
+fn lawful(stencil: &Stencil, count: usize) -> bool {
+    let here = targets(count);
+    let shifted: Vec<_> = here.iter().map(|x| x + 1).collect();
+    [here, shifted].into_iter().all(|x| {
+        let (Some(min), Some(max)) = (x.first(), x.last()) else { return false };
+        let mut after = x.clone();
+        step(stencil, min, max, &mut after);
+        after.iter().zip(&x).all(|(after, x)| *after == x * &stencil.den)
+    })
+}
+
 /// N-1 times the error of drone `i` at step k.
 fn error_of(run: &Run, i: usize) -> BigInt {
     let (min, max) = (&run.setting.min, &run.setting.max);
@@ -322,5 +341,33 @@ fn increment_of(run: &Run, h: usize) -> BigInt {
     match run.run.get(h..h + 2) {
         Some([before, after]) => sum::<BigInt>(after) - &sum(before),
         _ => BigInt::zero(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Rational;
+
+    #[test]
+    fn only_the_protocols_step_is_lawful() {
+        let stencil = Stencil::of(&Rational::new(2.into(), 7.into()));
+        assert!(lawful(&stencil, 6));
+        let broken = |change: fn(&mut Stencil)| {
+            let mut other = stencil.clone();
+            change(&mut other);
+            !lawful(&other, 6)
+        };
+        assert!(broken(|s| s.internal.own += 1));
+        assert!(broken(|s| {
+            s.internal.prec += 1;
+            s.internal.own -= 1;
+        }));
+        assert!(broken(|s| {
+            s.internal.min += 1;
+            s.internal.own -= 1;
+        }));
+        assert!(broken(|s| std::mem::swap(&mut s.first, &mut s.last)));
+        assert!(broken(|s| s.den += 1));
     }
 }

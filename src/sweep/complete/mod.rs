@@ -29,6 +29,9 @@
 //!   I - A^2 is positive definite, decided on its leading minors; the rate follows from
 //!   |A| w <= (1 - 8 eps/(N-1)^2) w ([`matrix`]).
 //!
+//! All this needs a step under which errors step to errors whatever the shift; that is checked
+//! too, not assumed.
+//!
 //! Where a condition fails, a concrete start is built from the generators and the spec's own
 //! predicate decides whether it violates the conclusion: only then is the theorem refuted.
 //! Where neither is so the case is undecided, and the finding says why.

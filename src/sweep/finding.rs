@@ -3,6 +3,7 @@
 use cordon_spec::theorems::{Subject, Violation};
 use serde::{Deserialize, Serialize};
 
+use super::config::Item;
 use crate::Outcome;
 
 /// The kind of evidence a row is.
@@ -164,4 +165,24 @@ pub struct Finding {
     pub counterexample: Option<Counterexample>,
     /// Why a case is undecided.
     pub reason: Option<String>,
+}
+
+impl Finding {
+    /// What these counts say of a work item; a counterexample, a segment and a reason are
+    /// still to be filled in.
+    pub fn new(item: &Item, evidence: Evidence, counts: Counts) -> Self {
+        Self {
+            item: item.number,
+            theorem: item.theorem.text().number.into(),
+            form: item.form.label().into(),
+            drones: item.drones,
+            eps: item.eps.to_string(),
+            evidence,
+            segment: None,
+            counts,
+            verdict: counts.judgement(),
+            counterexample: None,
+            reason: None,
+        }
+    }
 }

@@ -178,16 +178,9 @@ fn per_start(config: &Config, item: &Item) -> u64 {
 fn finding(item: &Item, evidence: Evidence, grid: &Grid, tally: &Tally) -> Finding {
     let undecided = tally.counts.undecided > 0;
     Finding {
-        item: item.number,
-        theorem: item.theorem.text().number.into(),
-        form: item.form.label().into(),
-        drones: item.drones,
-        eps: item.eps.to_string(),
-        evidence,
         segment: Some(grid.length),
-        counts: tally.counts,
-        verdict: tally.counts.judgement(),
         counterexample: tally.counterexample(),
         reason: undecided.then(|| "the predicate left a case open".to_owned()),
+        ..Finding::new(item, evidence, tally.counts)
     }
 }

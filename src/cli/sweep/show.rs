@@ -151,5 +151,6 @@ fn described(config: &Config) -> String {
         }
         Starts::Complete => "all real starts".to_owned(),
     };
-    format!("N = {fewest}..{most}, {weights}, k = 0..{}\n{starts}; {range}", config.steps)
+    let drones = if fewest == most { format!("{fewest}") } else { format!("{fewest}..{most}") };
+    format!("N = {drones}, {weights}, k = 0..{}\n{starts}; {range}", config.steps)
 }

@@ -5,7 +5,7 @@ use std::io::Write;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 
 use crate::Result;
 use crate::sweep::run::Progress;
@@ -49,11 +49,11 @@ pub(super) fn watched(
     let began = Instant::now();
     let bar = ProgressBar::new(total);
     let template = format!(
-        "{{wide_bar}} {{percent:>3}}% of {{human_len}} {}, {{per_sec}}, {{eta}} left",
+        "{{wide_bar}} {{percent:>3}}% of {{human_len}} {}, {{rate}}, {{eta}} left",
         unit.name()
     );
     if let Ok(style) = ProgressStyle::with_template(&template) {
-        bar.set_style(style);
+        bar.set_style(style.with_key("rate", shown_rate));
     }
     let (ended, waiting) = channel::<()>();
     let result = std::thread::scope(|scope| {
@@ -71,18 +71,31 @@ pub(super) fn watched(
     if result.is_ok() {
         let seconds = began.elapsed().as_secs_f64();
         let (done, covered) = (progress.executed(), progress.covered());
-        let rate = done as f64 / seconds.max(1e-9);
-        let rate =
-            if rate >= 1e6 { format!("{:.0} million", rate / 1e6) } else { format!("{rate:.0}") };
+        let rate = per_second(done as f64 / seconds.max(1e-9));
         let mirrored = match covered - done {
             0 => String::new(),
             images => format!(" (and {images} by symmetry)"),
         };
         let _ = writeln!(
             std::io::stderr(),
-            "{done} {}{mirrored} in {seconds:.2} s: {rate} a second",
+            "{done} {}{mirrored} in {seconds:.2} s: {rate}",
             unit.name()
         );
     }
     result
+}
+
+/// A rate for people.
+fn per_second(rate: f64) -> String {
+    if rate >= 1e6 {
+        format!("{:.0} million a second", rate / 1e6)
+    } else {
+        format!("{rate:.0} a second")
+    }
+}
+
+/// The bar's rate: of covered work.
+fn shown_rate(state: &ProgressState, to: &mut dyn std::fmt::Write) {
+    // A bar that cannot be drawn is no fault of the sweep.
+    let _ = write!(to, "{}", per_second(state.per_sec()));
 }

@@ -90,19 +90,9 @@ pub fn complete(item: &Item, steps: usize) -> Finding {
     }
     let updates = decider.generator_count() * item.drones * (steps + decider.span());
     counts.updates = updates as u64;
-    Finding {
-        item: item.number,
-        theorem: item.theorem.text().number.into(),
-        form: item.form.label().into(),
-        drones: item.drones,
-        eps: item.eps.to_string(),
-        evidence: Evidence::CompleteForAllStarts,
-        segment: None,
-        counts,
-        verdict: counts.judgement(),
-        counterexample,
-        reason: undecided.or(unknown_premise),
-    }
+    let reason = undecided.or(unknown_premise);
+    let evidence = Evidence::CompleteForAllStarts;
+    Finding { counterexample, reason, ..Finding::new(item, evidence, counts) }
 }
 
 /// The counterexample that a start is for step k, if the spec says that it is one.

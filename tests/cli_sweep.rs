@@ -64,6 +64,16 @@ fn a_theorem_that_fails_beyond_its_range() {
     assert!(out.contains("drones 1 and 2: X_1 = 4 is not below X_2 = 4"), "{out}");
 }
 
+/// The counterexample of a complete sweep is found on rays, then made as short as it can be:
+/// with gaps 1, g, 1 drones 1 and 2 meet when 2 * 501 <= 2 g, so that g = 501.
+#[test]
+fn counterexamples_are_minimal() {
+    let (code, out, _) =
+        sweep("7.2 --form sharp --drones 3..6 --eps 0.501 --any-weight --complete");
+    assert_eq!(code, 1);
+    assert!(out.contains("N = 4, eps = 501/1000, start (0, 1, 502, 503): at step 1: "), "{out}");
+}
+
 /// Every counterexample that a sweep prints is one to `cordon trace`.
 #[test]
 fn counterexamples_are_replayable() {

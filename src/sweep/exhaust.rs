@@ -95,7 +95,7 @@ impl<S: Machine> Stage<S> {
     fn new(item: &Item, range: &Range, steps: usize) -> Self {
         let ready = || {
             let last = range.last_step::<S>(steps)?;
-            // The bound at any step covers the weights: they are at most its growth.
+            // Weights that are themselves too large leave the work to wider integers.
             let narrow = |x: &BigInt| S::narrow(x).ok_or(());
             let stencil = Stencil::of(&item.eps).try_map(narrow).ok()?;
             let weight = (S::narrow(item.eps.numer())?, S::narrow(item.eps.denom())?);

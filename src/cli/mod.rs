@@ -9,6 +9,7 @@ mod prove;
 pub mod scenario_args;
 pub mod select;
 mod setup;
+mod sweep;
 mod theorems;
 mod trace;
 
@@ -46,6 +47,8 @@ pub enum Command {
     Prove(prove::Args),
     /// Check certificates with the independent checker
     Check(check::Args),
+    /// Try theorems on every start of a grid, or decide them for all real starts
+    Sweep(Box<sweep::Args>),
     /// Print a completion script for a shell
     Completions(setup::Args),
     /// Print the manual page (roff; read it with `cordon man | man -l -`)
@@ -65,6 +68,7 @@ impl Cli {
             Command::Theorems(args) => theorems::run(&args, out),
             Command::Prove(args) => prove::run(&args, out),
             Command::Check(args) => check::run(&args, out),
+            Command::Sweep(args) => sweep::run(&args, out),
             Command::Completions(args) => setup::completions(&args, out),
             Command::Man => setup::man(out),
         }

@@ -28,6 +28,9 @@ pub struct Args {
     /// Number of drones: one N >= 3, or every N
     #[arg(long, value_name = "N|any", default_value = "any")]
     pub drones: String,
+    /// Most factors of a product of hypotheses that the search combines (7.8 needs 4)
+    #[arg(long, value_name = "D", default_value_t = 4, value_parser = clap::value_parser!(u8).range(1..=8))]
+    pub degree: u8,
     /// Folder to write the certificates to
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -67,7 +70,8 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     }
     let (mut outcome, mut rows) = (Outcome::Holds, Vec::new());
     for task in tasks {
-        let ended = attempt(&task, drones, weights.as_ref());
+        let effort = Effort { level: usize::from(args.degree), ..Effort::default() };
+        let ended = attempt(&task, drones, weights.as_ref(), effort);
         outcome = outcome.worst(ended.outcome);
         let mut file = None;
         if let (Some(folder), Some(certificate)) = (&args.out, &ended.certificate) {
@@ -115,11 +119,16 @@ impl Ended {
     }
 }
 
-fn attempt(task: &Task, drones: Option<u32>, weights: Option<&(Rational, Rational)>) -> Ended {
+fn attempt(
+    task: &Task,
+    drones: Option<u32>,
+    weights: Option<&(Rational, Rational)>,
+    effort: Effort,
+) -> Ended {
     match task {
         Task::Exactness(theorem) => {
             let name = format!("{}-exact", theorem.text().number);
-            match exactness::prove(*theorem, Effort::default()) {
+            match exactness::prove(*theorem, effort) {
                 Some(certificate) => judged(name, Outcome::Holds, "proved", certificate),
                 None => inconclusive(name, "no proof found"),
             }
@@ -144,7 +153,7 @@ fn attempt(task: &Task, drones: Option<u32>, weights: Option<&(Rational, Rationa
             if let Some(certificate) = theorem.and_then(|t| evident::refute(t, &scope)) {
                 return judged(name, Outcome::Refuted, "refuted", certificate);
             }
-            match prove(claim, &scope, Effort::default()) {
+            match prove(claim, &scope, effort) {
                 Found::Certificate(certificate) => {
                     judged(name, Outcome::Holds, "proved", certificate)
                 }
@@ -195,7 +204,7 @@ fn tasks(args: &Args, narrowed: bool) -> Result<Vec<Task>> {
                 || *n == claim.name
                 || (claim.has_forms() && claim.name.trim_end_matches('i') == *n)
         };
-        if names.iter().any(|n| wanted(n)) {
+        if names.iter().any(wanted) {
             known.extend(names.iter().filter(|n| wanted(n)));
             let forms = if claim.has_forms() { forms } else { &[Form::Sharp] };
             tasks.extend(forms.iter().map(|&f| Task::Claim(*claim, f)));

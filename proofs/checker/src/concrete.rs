@@ -34,7 +34,7 @@ const MAX_WORK: u64 = 300_000_000_000;
 const MAX_INVARIANCE: (usize, usize) = (100, 200);
 
 /// The nonzero entries of A, row by row for drones 1 .. N-2.
-type Rows = Vec<BTreeMap<usize, Rational>>;
+pub type Rows = Vec<BTreeMap<usize, Rational>>;
 
 /// The linear part A of the spec's step on the inner drones' positions, hence of their errors.
 ///
@@ -133,20 +133,23 @@ pub fn growth(cert: &GrowthCert) -> Result<String, Fault> {
             return Err(fault(format!("drone {}: |A| w is below w", i + 1)));
         }
     }
-    let one_sign = |alternating: bool| {
-        let mut signs = rows.iter().enumerate().flat_map(|(i, row)| {
-            row.iter().map(move |(j, a)| a.is_positive() == (alternating && (i + j) % 2 == 1))
-        });
-        let first = signs.next();
-        signs.all(|s| Some(s) == first)
-    };
-    if !one_sign(false) && !one_sign(true) {
+    if !one_sign(&rows, false) && !one_sign(&rows, true) {
         return Err(fault("the signs of A allow cancellation".into()));
     }
     Ok(format!(
         "7.8 fails for N = {}, eps = {}: from some start the drones do not converge",
         cert.drones, cert.eps.0
     ))
+}
+
+/// Whether all s_i s_j a_ij have one sign, s_i being (-1)^i or 1. True of every weight here; it
+/// would not be of another protocol.
+pub fn one_sign(rows: &Rows, alternating: bool) -> bool {
+    let mut signs = rows.iter().enumerate().flat_map(|(i, row)| {
+        row.iter().map(move |(j, a)| a.is_positive() == (alternating && (i + j) % 2 == 1))
+    });
+    let first = signs.next();
+    signs.all(|s| Some(s) == first)
 }
 
 /// The theorem of that number.

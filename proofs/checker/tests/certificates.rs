@@ -43,10 +43,13 @@ fn every_committed_certificate_is_valid() {
 }
 
 #[test]
-fn every_claim_and_kind_has_a_committed_certificate() {
+fn every_claim_kind_and_rule_has_a_committed_certificate() {
     let mut seen = BTreeSet::new();
     for path in files("certificates") {
-        let page: Value = serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
+        let text = fs::read_to_string(&path).unwrap();
+        let rules = cordon_check::rules::RULES.iter().map(|(rule, _)| (*rule).to_owned());
+        seen.extend(rules.filter(|rule| text.contains(&format!("\"rule\": \"{rule}\""))));
+        let page: Value = serde_json::from_str(&text).unwrap();
         let (kind, body) = page["certificate"].as_object().unwrap().iter().next().unwrap();
         seen.insert(kind.clone());
         if kind == "theorem" {
@@ -55,7 +58,8 @@ fn every_claim_and_kind_has_a_committed_certificate() {
     }
     let kinds = ["theorem", "exactness", "contraction", "growth", "refutation", "invariance"];
     let claims = cordon_check::claims::CLAIMS.iter().map(|c| c.name);
-    for name in kinds.into_iter().chain(claims) {
+    let rules = cordon_check::rules::RULES.iter().map(|(rule, _)| *rule);
+    for name in kinds.into_iter().chain(claims).chain(rules) {
         assert!(seen.contains(name), "no certificate of {name}");
     }
 }
@@ -78,7 +82,33 @@ fn every_bad_certificate_is_rejected_for_its_reason() {
         assert!(shown.contains(&text("reason")), "{file}: {shown}");
         assert!(named.insert(file), "an entry is there twice");
     }
+    // Every rule of proof and every kind is there.
+    let rules = cordon_check::rules::RULES.iter().map(|(name, _)| *name);
+    let kinds = ["theorem", "exactness", "contraction", "growth", "refutation", "invariance"];
+    for rule in rules.chain(kinds) {
+        assert!(index.iter().any(|e| e["rule"] == rule), "no rejected case of {rule}");
+    }
     let there = files("must-not-prove");
     assert_eq!(there.len(), index.len() + 1, "a file without entry, or an entry without file");
     assert_eq!(index.len(), MUST_NOT_PROVE);
+}
+
+#[test]
+fn signs_that_allow_cancellation_are_noticed() {
+    let rows = |entries: &[&[i64]]| -> cordon_check::concrete::Rows {
+        let row = |r: &&[i64]| {
+            let nonzero = r.iter().enumerate().filter(|(_, a)| **a != 0);
+            nonzero
+                .map(|(j, &a)| (j, cordon_check::poly::Rational::from_integer(a.into())))
+                .collect()
+        };
+        entries.iter().map(row).collect()
+    };
+    let plain = |entries: &[&[i64]]| cordon_check::concrete::one_sign(&rows(entries), false);
+    let alternating = |entries: &[&[i64]]| cordon_check::concrete::one_sign(&rows(entries), true);
+    assert!(plain(&[&[1, 2], &[3, 4]]) && !alternating(&[&[1, 2], &[3, 4]]));
+    assert!(!plain(&[&[-1, 2], &[3, -4]]) && alternating(&[&[-1, 2], &[3, -4]]));
+    // A rotation: no sign pattern helps, and |A| w >= w would prove nothing.
+    assert!(!plain(&[&[0, 1], &[-1, 0]]) && !alternating(&[&[0, 1], &[-1, 0]]));
+    assert!(!plain(&[&[1, 1], &[1, -1]]) && !alternating(&[&[1, 1], &[1, -1]]));
 }

@@ -4,13 +4,17 @@
 //! here are engines that execute it; each consumes the spec and knows no other engine. The
 //! command line ([`cli`]) is a thin face over them.
 
+pub mod certificate;
 pub mod cli;
+pub mod counterexample;
 pub mod error;
 pub mod exact;
 pub mod files;
+pub mod linear;
 pub mod scalar;
 pub mod scenario;
 pub mod simulate;
+pub mod threshold;
 pub mod trace;
 
 pub use error::{Error, Outcome, Result};

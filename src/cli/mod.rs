@@ -5,6 +5,7 @@
 pub mod scenario_args;
 pub mod select;
 mod theorems;
+mod threshold;
 mod trace;
 
 use std::io::Write;
@@ -33,6 +34,8 @@ pub enum Command {
     Trace(Box<trace::Args>),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
+    /// Bracket the critical weight of a property from both sides, with a certificate on each
+    Threshold(threshold::Args),
 }
 
 impl Cli {
@@ -44,6 +47,7 @@ impl Cli {
         match self.command {
             Command::Trace(args) => trace::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
+            Command::Threshold(args) => threshold::run(&args, out),
         }
     }
 }

@@ -1,0 +1,7 @@
+//! Linear mathematics that several engines need: forms as scalars of the
+//! spec, simple fractions, Perron vectors.
+
+pub mod affine;
+pub mod errors;
+pub mod perron;
+pub mod simplest;

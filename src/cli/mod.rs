@@ -4,6 +4,7 @@
 
 pub mod scenario_args;
 pub mod select;
+mod settle;
 mod theorems;
 mod threshold;
 mod trace;
@@ -30,6 +31,8 @@ const EXIT_CODES: &str = "Exit codes: 0 holds or done, 1 refuted, 2 bad usage or
 /// The commands.
 #[derive(Subcommand, Debug)]
 pub enum Command {
+    /// From which step on every drone is within a distance of its target: proved and true
+    Settle(settle::Args),
     /// Print the trace of a scenario: the placement after every protocol step or tick
     Trace(Box<trace::Args>),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
@@ -45,6 +48,7 @@ impl Cli {
     /// Bad input, or a file or stream that cannot be read or written.
     pub fn run(self, out: &mut dyn Write) -> Result<Outcome> {
         match self.command {
+            Command::Settle(args) => settle::run(&args, out),
             Command::Trace(args) => trace::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
             Command::Threshold(args) => threshold::run(&args, out),

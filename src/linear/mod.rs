@@ -2,6 +2,7 @@
 //! spec, simple fractions, Perron vectors.
 
 pub mod affine;
+pub mod enclosure;
 pub mod errors;
 pub mod perron;
 pub mod simplest;

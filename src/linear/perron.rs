@@ -70,12 +70,12 @@ impl Perron {
         Some(Self { weights, least, largest })
     }
 
-    /// A factor c with |A| w <= c w: |1 - 2eps| + eps * largest r_i.
+    /// A factor c with |A| w <= c w: |1 - 2eps| + |eps| * largest r_i.
     pub fn factor_above(&self, eps: &Rational) -> Rational {
         factor(eps, &self.largest)
     }
 
-    /// A factor c with |A| w >= c w: |1 - 2eps| + eps * least r_i.
+    /// A factor c with |A| w >= c w: |1 - 2eps| + |eps| * least r_i.
     pub fn factor_below(&self, eps: &Rational) -> Rational {
         factor(eps, &self.least)
     }
@@ -103,7 +103,7 @@ impl Perron {
 }
 
 fn factor(eps: &Rational, ratio: &Rational) -> Rational {
-    (Rational::one() - eps * Rational::from_integer(2.into())).abs() + eps * ratio
+    (Rational::one() - eps * Rational::from_integer(2.into())).abs() + eps.abs() * ratio
 }
 
 /// A shot: the vector, and the component w_{N-1} that should be zero.

@@ -127,6 +127,15 @@ pub fn invariance(
 pub fn write(folder: &Path, name: &str, certificate: &Value) -> Result<PathBuf> {
     std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
     let path = folder.join(format!("{name}.json"));
-    files::write_atomically(&path, format!("{certificate:#}\n").as_bytes())?;
+    write_file(&path, certificate)?;
     Ok(path)
+}
+
+/// Writes a certificate to a file, and returns its path as text.
+///
+/// # Errors
+/// The file cannot be written.
+pub fn write_file(path: &Path, certificate: &Value) -> Result<String> {
+    files::write_atomically(path, format!("{certificate:#}\n").as_bytes())?;
+    Ok(path.display().to_string())
 }

@@ -103,8 +103,12 @@ impl Counterexample {
 
     /// The command that replays it.
     pub fn replay_line(&self) -> String {
+        let form = match self.form {
+            Form::Paper => " --form paper",
+            Form::Sharp => "",
+        };
         format!(
-            "cordon trace --drones {} --start {} --eps {} --steps {} --check {}",
+            "cordon trace --drones {} --start {} --eps {} --steps {} --check {}{form}",
             self.start().len(),
             list(self.start()),
             fraction(&self.eps),

@@ -12,6 +12,7 @@ pub mod exact;
 pub mod files;
 pub mod linear;
 pub mod prove;
+pub mod refute;
 pub mod scalar;
 pub mod scenario;
 pub mod settle;

@@ -270,12 +270,7 @@ struct NormBound<S> {
 }
 
 impl<S: Ordered> NormBound<S> {
-    fn new(
-        eps: &Rational,
-        vector: &Perron,
-        bound: &S,
-        scalar: &impl Fn(&Rational) -> S,
-    ) -> Self {
+    fn new(eps: &Rational, vector: &Perron, bound: &S, scalar: &impl Fn(&Rational) -> S) -> Self {
         if eps * Rational::from_int(2) <= Rational::one() {
             return Self { weights: None };
         }
@@ -296,10 +291,7 @@ impl<S: Ordered> NormBound<S> {
 }
 
 /// Whether |e_i| <= limit(i) for all i.
-fn all_at_most<'a, S: Ordered + 'a>(
-    errors: &[S],
-    limit: impl Fn(usize) -> &'a S,
-) -> Option<bool> {
+fn all_at_most<'a, S: Ordered + 'a>(errors: &[S], limit: impl Fn(usize) -> &'a S) -> Option<bool> {
     let mut all = Some(true);
     for (i, e) in errors.iter().enumerate() {
         let above = e.compare(limit(i));

@@ -2,9 +2,12 @@
 //!
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
+pub mod ranges;
+mod refute;
 pub mod scenario_args;
 pub mod select;
 mod settle;
+mod table;
 mod theorems;
 mod threshold;
 mod trace;
@@ -31,6 +34,8 @@ const EXIT_CODES: &str = "Exit codes: 0 holds or done, 1 refuted, 2 bad usage or
 /// The commands.
 #[derive(Subcommand, Debug)]
 pub enum Command {
+    /// Search for the smallest counterexample to a theorem
+    Refute(refute::Args),
     /// From which step on every drone is within a distance of its target: proved and true
     Settle(settle::Args),
     /// Print the trace of a scenario: the placement after every protocol step or tick
@@ -48,6 +53,7 @@ impl Cli {
     /// Bad input, or a file or stream that cannot be read or written.
     pub fn run(self, out: &mut dyn Write) -> Result<Outcome> {
         match self.command {
+            Command::Refute(args) => refute::run(&args, out),
             Command::Settle(args) => settle::run(&args, out),
             Command::Trace(args) => trace::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),

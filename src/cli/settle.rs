@@ -127,7 +127,9 @@ fn describe(by: &Contraction) -> (&'static str, &'static str) {
         Contraction::EveryN => {
             ("every-n", "contraction for every N: w_i = i(N-1-i), c = 1 - 8 eps/(N-1)^2")
         }
-        Contraction::OwnVector(_) => ("own-vector", "contraction with a rational vector for this N"),
+        Contraction::OwnVector(_) => {
+            ("own-vector", "contraction with a rational vector for this N")
+        }
     }
 }
 
@@ -137,12 +139,7 @@ fn text(args: &Args, found: &Settling, out: &mut dyn Write) -> Result<()> {
             for p in proved {
                 let c = rounded_up(&p.rate).unwrap_or_else(|| p.rate.clone());
                 let (_, by) = describe(&p.by);
-                writeln!(
-                    out,
-                    "  proved  step {:<8} {by}, c <= {}",
-                    p.step,
-                    decimal_string(&c, 6)
-                )?;
+                writeln!(out, "  proved  step {:<8} {by}, c <= {}", p.step, decimal_string(&c, 6))?;
             }
             match observed {
                 Observed::Step(k) => {

@@ -125,7 +125,12 @@ fn keep_text(args: &Args, found: &Critical, out: &mut dyn Write) -> Result<()> {
         affine_text(&fraction(constant), &fraction(slope)),
         found.witness.ray
     )?;
-    writeln!(out, "         at eps = {}: {}", fraction(&found.above.eps), found.above.what_fails())?;
+    writeln!(
+        out,
+        "         at eps = {}: {}",
+        fraction(&found.above.eps),
+        found.above.what_fails()
+    )?;
     writeln!(out, "         replay: {}", found.above.replay_line())?;
     Ok(())
 }

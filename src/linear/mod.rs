@@ -4,5 +4,6 @@
 pub mod affine;
 pub mod enclosure;
 pub mod errors;
+pub mod feasible;
 pub mod perron;
 pub mod simplest;

@@ -129,7 +129,5 @@ fn cone_matrix(cone: Cone, count: usize, eps: &Rational) -> Vec<Vec<Rational>> {
 }
 
 fn times(row: &[Rational], matrix: &[Vec<Rational>]) -> Vec<Rational> {
-    (0..row.len())
-        .map(|x| row.iter().zip(matrix).map(|(r, line)| r * &line[x]).sum())
-        .collect()
+    (0..row.len()).map(|x| row.iter().zip(matrix).map(|(r, line)| r * &line[x]).sum()).collect()
 }

@@ -7,10 +7,13 @@
 pub mod certificate;
 pub mod cli;
 pub mod counterexample;
+pub mod errata;
 pub mod error;
 pub mod exact;
 pub mod files;
 pub mod linear;
+pub mod own_protocol;
+pub mod projection;
 pub mod prove;
 pub mod refute;
 pub mod scalar;

@@ -2,11 +2,15 @@
 //!
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
+mod errata;
+mod local;
+pub mod own_protocol;
 pub mod ranges;
 mod refute;
 pub mod scenario_args;
 pub mod select;
 mod settle;
+mod setup;
 mod table;
 mod theorems;
 mod threshold;
@@ -40,10 +44,18 @@ pub enum Command {
     Settle(settle::Args),
     /// Print the trace of a scenario: the placement after every protocol step or tick
     Trace(Box<trace::Args>),
+    /// Run N local machines that exchange positions and compare with the global protocol
+    Local(Box<local::Args>),
+    /// Re-establish the paper's slips by computation, now
+    Errata(errata::Args),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
     /// Bracket the critical weight of a property from both sides, with a certificate on each
     Threshold(threshold::Args),
+    /// Print a completion script for a shell
+    Completions(setup::Args),
+    /// Print the manual page (roff; read it with `cordon man | man -l -`)
+    Man,
 }
 
 impl Cli {
@@ -56,8 +68,12 @@ impl Cli {
             Command::Refute(args) => refute::run(&args, out),
             Command::Settle(args) => settle::run(&args, out),
             Command::Trace(args) => trace::run(&args, out),
+            Command::Local(args) => local::run(&args, out),
+            Command::Errata(args) => errata::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
             Command::Threshold(args) => threshold::run(&args, out),
+            Command::Completions(args) => setup::completions(&args, out),
+            Command::Man => setup::man(out),
         }
     }
 }

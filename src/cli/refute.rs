@@ -7,8 +7,10 @@ use cordon_spec::theorems::{Form, Theorem};
 use num_traits::{One, Zero};
 use serde_json::{Value, json};
 
+use super::scenario_args::positions;
 use super::select::{FormArg, OutputFormat, theorems_named};
-use super::{ranges, table};
+use super::table::{self, abridged};
+use super::{own_protocol, ranges};
 use crate::certificate::{self, Departure};
 use crate::counterexample::Counterexample;
 use crate::exact::fraction;
@@ -20,8 +22,18 @@ use crate::{Error, Outcome, Rational, Result};
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// Which theorems: numbers like 7.2 or 7.4ii, separated by commas, or `all`
-    #[arg(value_name = "THEOREM")]
-    theorem: String,
+    #[arg(value_name = "THEOREM", required_unless_present = "protocol")]
+    theorem: Option<String>,
+    /// Refute the claims of an own protocol instead (TOML, see `scenarios/own/`)
+    #[arg(
+        long,
+        value_name = "FILE",
+        conflicts_with_all = ["theorem", "form", "drones", "activation", "delay", "out"]
+    )]
+    protocol: Option<PathBuf>,
+    /// With --protocol: only the run from this start
+    #[arg(long, value_name = "X,...", allow_hyphen_values = true, requires = "protocol")]
+    start: Option<String>,
     /// Form of the theorem: its start set, and its weights where --eps is not given
     #[arg(long, value_enum, default_value_t = FormArg::Sharp)]
     form: FormArg,
@@ -57,13 +69,14 @@ const MOST_DENOMINATORS: u32 = 100;
 
 /// Searches for the smallest counterexample.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    args.check()?;
+    if let Some(path) = &args.protocol {
+        return own_protocol::refute(path, &args.own_search()?, args.format, out);
+    }
     let queries = args.queries()?;
     if args.out.is_some() && queries.len() > 1 {
-        return Err(Error::input(format!(
-            "out: theorem `{}` names {}: expected one",
-            args.theorem,
-            queries.len()
-        )));
+        let named = queries.len();
+        return Err(Error::input(format!("out: {named} theorems are named: expected one")));
     }
     let mut outcome = Outcome::Holds;
     let mut results = Vec::new();
@@ -107,9 +120,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
 }
 
 impl Args {
-    fn queries(&self) -> Result<Vec<Query>> {
-        let theorems = theorems_named(&self.theorem)?;
-        let drones = ranges::drones(&self.drones, MOST_DRONES)?;
+    fn check(&self) -> Result<()> {
         if self.steps > MOST_STEPS {
             return Err(Error::input(format!(
                 "steps: `{}`: expected at most {MOST_STEPS}",
@@ -122,6 +133,26 @@ impl Args {
                 self.denominators
             )));
         }
+        Ok(())
+    }
+
+    fn own_search(&self) -> Result<own_protocol::Search> {
+        let weights = match self.weights()? {
+            Weights::Given(weights) => Some(weights),
+            Weights::InRange(_) => None,
+        };
+        let start = self.start.as_deref().map(positions).transpose()?;
+        Ok(own_protocol::Search {
+            weights,
+            denominators: self.denominators,
+            steps: self.steps,
+            start,
+        })
+    }
+
+    fn queries(&self) -> Result<Vec<Query>> {
+        let theorems = theorems_named(self.theorem.as_deref().unwrap_or("all"))?;
+        let drones = ranges::drones(&self.drones, MOST_DRONES)?;
         let weights = self.weights()?;
         let form = Form::from(self.form);
         let query = |theorem| Query {
@@ -274,15 +305,6 @@ fn coverage_lines(covered: &[Coverage], describe: impl Fn(Extent) -> String) -> 
         }
     }
     lines
-}
-
-fn abridged(weights: &[String]) -> String {
-    match weights {
-        [first, .., last] if weights.len() > 8 => {
-            format!("{first} ... {last} ({} weights)", weights.len())
-        }
-        _ => weights.join(", "),
-    }
 }
 
 fn as_json(query: &Query, answer: &Answer) -> Value {

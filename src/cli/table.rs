@@ -1,4 +1,4 @@
-//! Exact placements as a table.
+//! Exact placements as a table, and long lists in short.
 
 use std::io::Write;
 
@@ -39,4 +39,14 @@ pub fn placements(run: &[Vec<Rational>], out: &mut dyn Write) -> Result<()> {
         writeln!(out, "{}", line(&k.to_string(), row))?;
     }
     Ok(())
+}
+
+/// The items with commas between; of more than eight, which are sorted, the ends and how many.
+pub fn abridged(weights: &[String]) -> String {
+    match weights {
+        [first, .., last] if weights.len() > 8 => {
+            format!("{first} ... {last} ({} weights)", weights.len())
+        }
+        _ => weights.join(", "),
+    }
 }

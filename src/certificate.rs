@@ -1,9 +1,10 @@
 //! Certificates as JSON, in the format `cordon-certificate/1` (`proofs/checker/FORMAT.md`).
 //!
-//! Only writing is done here; who wants to believe a certificate runs the checker on it.
+//! Only writing is done here; what a certificate is worth, the independent checker says.
 
 use std::path::{Path, PathBuf};
 
+use cordon_check::Verdict;
 use cordon_spec::theorems::Subject;
 use num_bigint::BigInt;
 use serde_json::{Value, json};
@@ -119,6 +120,15 @@ pub fn invariance(
         }),
     )
 }
+
+/// Whether the independent checker accepts a certificate. Nothing is called certified before
+/// it has.
+pub fn accepted(certificate: &Value) -> bool {
+    matches!(cordon_check::check(&certificate.to_string()), Verdict::Valid { .. })
+}
+
+/// What a command says before it ends with [`Outcome::Rejected`](crate::Outcome::Rejected).
+pub const REJECTED: &str = "the independent checker rejects the certificate: a fault of the search";
 
 /// Writes a certificate to `folder/name.json`, creating the folder, and returns the path.
 ///

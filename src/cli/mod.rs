@@ -2,9 +2,11 @@
 //!
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
+mod check;
 mod errata;
 mod local;
 pub mod own_protocol;
+mod prove;
 pub mod ranges;
 mod refute;
 pub mod scenario_args;
@@ -50,6 +52,10 @@ pub enum Command {
     Errata(errata::Args),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
+    /// Search certificates for theorems: for every N, every step and every weight in the range
+    Prove(prove::Args),
+    /// Check certificates with the independent checker
+    Check(check::Args),
     /// Bracket the critical weight of a property from both sides, with a certificate on each
     Threshold(threshold::Args),
     /// Print a completion script for a shell
@@ -71,6 +77,8 @@ impl Cli {
             Command::Local(args) => local::run(&args, out),
             Command::Errata(args) => errata::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
+            Command::Prove(args) => prove::run(&args, out),
+            Command::Check(args) => check::run(&args, out),
             Command::Threshold(args) => threshold::run(&args, out),
             Command::Completions(args) => setup::completions(&args, out),
             Command::Man => setup::man(out),

@@ -7,12 +7,13 @@ use serde_json::{Value, json};
 
 use super::select::OutputFormat;
 use super::table::{self, abridged};
+use crate::certificate::{self, REJECTED};
 use crate::counterexample::list;
 use crate::exact::fraction;
 use crate::own_protocol::prove::{Proof, is_vacuous, prove as find_proof};
 use crate::own_protocol::refute::{Run, check, refute as find_run, weights};
 use crate::own_protocol::{OwnProtocol, read};
-use crate::{Error, Outcome, Rational, Result, certificate};
+use crate::{Error, Outcome, Rational, Result};
 
 /// Where to search for a counterexample.
 #[derive(Clone, Debug)]
@@ -25,6 +26,13 @@ pub struct Search {
     pub steps: usize,
     /// Only the run from this start.
     pub start: Option<Vec<Rational>>,
+}
+
+impl Default for Search {
+    /// What follows where no proof is found: the weights with small denominators, some steps.
+    fn default() -> Self {
+        Self { weights: None, denominators: 8, steps: 8, start: None }
+    }
 }
 
 /// Proves the claims of a protocol file, or refutes them, or says that it can do neither.
@@ -40,6 +48,10 @@ pub fn prove(
 ) -> Result<Outcome> {
     let protocol = read_sensible(path)?;
     if let Some(proof) = find_proof(&protocol) {
+        if !proof.certificates.iter().all(|(_, c)| certificate::accepted(c)) {
+            writeln!(out, "{REJECTED}")?;
+            return Ok(Outcome::Rejected);
+        }
         let files = match folder {
             Some(folder) => write_all(path, folder, &proof)?,
             None => Vec::new(),
@@ -172,7 +184,7 @@ fn proved(
     };
     writeln!(
         out,
-        "  inductive: {} half-spaces, {} of them claimed, each kept by a step{at}",
+        "  inductive: {} half-spaces, {} of them claimed, each kept by a step{at} (certified)",
         proof.half_spaces, proof.claimed
     )?;
     for file in files {

@@ -11,7 +11,7 @@ use super::scenario_args::positions;
 use super::select::{FormArg, OutputFormat, theorems_named};
 use super::table::{self, abridged};
 use super::{own_protocol, ranges};
-use crate::certificate::{self, Departure};
+use crate::certificate::{self, Departure, REJECTED};
 use crate::counterexample::Counterexample;
 use crate::exact::fraction;
 use crate::linear::simplest::fractions_within;
@@ -90,10 +90,13 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             Some(_) => Outcome::Refuted,
             None => Outcome::Inconclusive,
         });
-        let file = match (&args.out, &answer.found) {
-            (Some(path), Some(found)) => {
-                Some(certificate::write_file(path, &certificate::refutation(found))?)
-            }
+        let refutation = answer.found.as_ref().map(certificate::refutation);
+        if refutation.as_ref().is_some_and(|c| !certificate::accepted(c)) {
+            writeln!(out, "{REJECTED}")?;
+            return Ok(Outcome::Rejected);
+        }
+        let file = match (&args.out, &refutation) {
+            (Some(path), Some(refutation)) => Some(certificate::write_file(path, refutation)?),
             _ => None,
         };
         match args.format {

@@ -7,11 +7,12 @@ use serde_json::{Value, json};
 
 use super::scenario_args::positions;
 use super::select::OutputFormat;
+use crate::certificate::{self, REJECTED};
 use crate::exact::{self, decimal_string, fraction};
 use crate::linear::perron::Perron;
 use crate::settle::{Contraction, Observed, Proved, Settling, Starts, settling};
 use crate::threshold::convergence::rounded_up_below_one;
-use crate::{Error, Outcome, Rational, Result, certificate};
+use crate::{Error, Outcome, Rational, Result};
 
 /// Arguments of `cordon settle`.
 #[derive(clap::Args, Debug)]
@@ -62,6 +63,10 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         }
         Settling::Undecided => ("", None),
     };
+    if certificate.as_ref().is_some_and(|c| !certificate::accepted(c)) {
+        writeln!(out, "{REJECTED}")?;
+        return Ok(Outcome::Rejected);
+    }
     let file = match (&args.out, &certificate) {
         (Some(folder), Some(c)) => {
             let name = format!("{name}-{}", args.drones);

@@ -7,7 +7,7 @@ use num_traits::One;
 use serde_json::{Value, json};
 
 use super::select::OutputFormat;
-use crate::certificate;
+use crate::certificate::{self, REJECTED};
 use crate::exact::{decimal_string, fraction};
 use crate::threshold::convergence::{self, Bracket};
 use crate::threshold::safety::{self, Cone, Critical};
@@ -54,6 +54,9 @@ impl Property {
     }
 }
 
+/// Most drones whose start is written out in the text.
+const READABLE: usize = 12;
+
 /// A certificate with the name of its file.
 type Named = (String, Value);
 
@@ -78,9 +81,16 @@ fn keep(args: &Args, cone: Cone, out: &mut dyn Write) -> Result<Outcome> {
         );
     }
     certificates.push((args.file_name("above"), certificate::refutation(&found.above)));
+    if !certificates.iter().all(|(_, c)| certificate::accepted(c)) {
+        writeln!(out, "{REJECTED}")?;
+        return Ok(Outcome::Rejected);
+    }
     let files = write_all(args.out.as_deref(), &certificates)?;
     match args.format {
-        OutputFormat::Text => keep_text(args, &found, out)?,
+        OutputFormat::Text => {
+            keep_text(args, &found, out)?;
+            writeln!(out, "{}", certified(certificates.len(), args.drones))?;
+        }
         OutputFormat::Json => {
             let page = json!({
                 "schema": "cordon-threshold/1",
@@ -98,6 +108,17 @@ fn keep(args: &Args, cone: Cone, out: &mut dyn Write) -> Result<Outcome> {
     }
     list_files(args, &files, out)?;
     Ok(Outcome::Holds)
+}
+
+/// How many certificates the checker has accepted, and what it takes beyond its size.
+fn certified(number: usize, drones: usize) -> String {
+    if number == 1 && drones > invariance::MOST {
+        return format!(
+            "  checked: 1 certificate accepted; for the safe side of more than {} drones see `cordon prove 7.2-exact,7.3-exact`",
+            invariance::MOST
+        );
+    }
+    format!("  checked: {number} certificates accepted by the independent checker")
 }
 
 fn keep_text(args: &Args, found: &Critical, out: &mut dyn Write) -> Result<()> {
@@ -131,7 +152,9 @@ fn keep_text(args: &Args, found: &Critical, out: &mut dyn Write) -> Result<()> {
         fraction(&found.above.eps),
         found.above.what_fails()
     )?;
-    writeln!(out, "         replay: {}", found.above.replay_line())?;
+    if found.count <= READABLE {
+        writeln!(out, "         replay: {}", found.above.replay_line())?;
+    }
     Ok(())
 }
 
@@ -155,9 +178,16 @@ fn converge(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         ),
         (args.file_name("above"), certificate::growth(args.drones, &found.above, w)),
     ];
+    if !certificates.iter().all(|(_, c)| certificate::accepted(c)) {
+        writeln!(out, "{REJECTED}")?;
+        return Ok(Outcome::Rejected);
+    }
     let files = write_all(args.out.as_deref(), &certificates)?;
     match args.format {
-        OutputFormat::Text => converge_text(args, &found, out)?,
+        OutputFormat::Text => {
+            converge_text(args, &found, out)?;
+            writeln!(out, "{}", certified(certificates.len(), 0))?;
+        }
         OutputFormat::Json => {
             let page = json!({
                 "schema": "cordon-threshold/1",

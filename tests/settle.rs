@@ -23,9 +23,10 @@ fn by_running(start: &[Rational], eps: &Rational, within: &Rational, horizon: us
 }
 
 fn steps(found: Settling) -> (Vec<u64>, u64) {
-    let Settling::Settles { proved, observed: Observed::Step(step) } = found else {
+    let Settling::Settles { proved, not_before, observed: Observed::Step(step) } = found else {
         panic!("{found:?}")
     };
+    assert!(not_before <= step, "{not_before} {step}");
     (proved.iter().map(|p| p.step).collect(), step)
 }
 
@@ -84,6 +85,43 @@ fn from_every_start_means_from_every_corner_of_the_box() {
     }
     // 2 + 4 + 8 + 16 corners for three weights at least, more where the critical weight allows.
     assert_eq!(corners_seen, 2 * 6 + 4 * 5 + 8 * 5 + 16 * 4);
+}
+
+#[test]
+fn jumps_land_on_the_step_that_doubles_find() {
+    // Long enough for jumps; doubles are off by far less than the margin asserted.
+    let mut jumped = 0;
+    for (count, num, den) in [(60, 1, 2), (61, 1, 3), (75, 2, 5), (80, 1, 2)] {
+        let eps = Rational::new(num.into(), den.into());
+        let within = 1e-3;
+        let found = settling(&Starts::AllWithin(count), &eps, &q("1/1000")).unwrap();
+        let (_, step) = steps(found);
+        let weight = f64::from(num) / f64::from(den);
+        let mut e: Vec<f64> = (0..count).map(|i| i as f64 / (count - 1) as f64).collect();
+        e[count - 1] = 0.0;
+        let largest = |e: &[f64]| e.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        for k in 1..=step {
+            let before = e.clone();
+            for i in 1..count - 1 {
+                e[i] = weight * (before[i - 1] + before[i + 1]) + (1.0 - 2.0 * weight) * before[i];
+            }
+            let inside = largest(&e) <= within;
+            assert_eq!(inside, k == step, "N = {count}, step {k} of {step}: {}", largest(&e));
+        }
+        assert!(step > 2_000, "{step}: not a jump");
+        jumped += 1;
+    }
+    assert_eq!(jumped, 4);
+}
+
+#[test]
+fn long_runs_beyond_one_half_are_bracketed_without_being_executed() {
+    let eps = q("50001/100000");
+    let found = settling(&Starts::AllWithin(200), &eps, &q("1/1000")).unwrap();
+    let Settling::Settles { proved, not_before, observed: Observed::TooLong } = found else {
+        panic!("executed")
+    };
+    assert!(50_000 < not_before && not_before < proved[0].step, "{not_before} {proved:?}");
 }
 
 #[test]

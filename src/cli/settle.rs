@@ -140,18 +140,21 @@ fn describe(by: &Contraction) -> (&'static str, &'static str) {
 
 fn text(args: &Args, found: &Settling, out: &mut dyn Write) -> Result<()> {
     match found {
-        Settling::Settles { proved, observed } => {
+        Settling::Settles { proved, not_before, observed } => {
             for p in proved {
                 let c = rounded_up(&p.rate).unwrap_or_else(|| p.rate.clone());
                 let (_, by) = describe(&p.by);
                 writeln!(out, "  proved  step {:<8} {by}, c <= {}", p.step, decimal_string(&c, 6))?;
             }
+            if *not_before > 0 {
+                writeln!(out, "  not before {not_before:<5} the same vector from below")?;
+            }
             match observed {
                 Observed::Step(k) => {
                     let how = if args.start.is_some() {
-                        "this run, executed"
+                        "the run itself"
                     } else {
-                        "complete for all these starts: the extreme ones, executed"
+                        "complete for all these starts: the runs from the extreme ones"
                     };
                     writeln!(out, "  true    step {k:<8} {how}")?;
                 }
@@ -180,7 +183,7 @@ fn text(args: &Args, found: &Settling, out: &mut dyn Write) -> Result<()> {
 fn as_json(found: &Settling) -> Value {
     let vector = |w: &Perron| w.weights.iter().map(ToString::to_string).collect::<Vec<_>>();
     match found {
-        Settling::Settles { proved, observed } => json!({
+        Settling::Settles { proved, not_before, observed } => json!({
             "settles": true,
             "proved": proved.iter().map(|p| json!({
                 "step": p.step,
@@ -188,6 +191,7 @@ fn as_json(found: &Settling) -> Value {
                 "contraction": describe(&p.by).0,
                 "rate_at_most": rounded_up(&p.rate).as_ref().map(fraction),
             })).collect::<Vec<_>>(),
+            "not_before": not_before,
             "true": match observed {
                 Observed::Step(k) => json!({ "step": k, "evidence": "executed" }),
                 Observed::TooLong => Value::Null,

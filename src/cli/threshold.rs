@@ -227,7 +227,10 @@ fn converge_text(args: &Args, found: &Bracket, out: &mut dyn Write) -> Result<()
         Some(exact) => fraction(exact),
         None => decimal_string(&found.above, args.digits),
     };
-    writeln!(out, "  below  at eps = {below} every run converges")?;
+    writeln!(
+        out,
+        "  below  at eps = {below} every run converges (and for every eps from there down to 0, excluded)"
+    )?;
     writeln!(
         out,
         "         contraction: |A| w <= c w with c = 1 - {}, w positive, {} integers of at most {} digits",
@@ -235,8 +238,15 @@ fn converge_text(args: &Args, found: &Bracket, out: &mut dyn Write) -> Result<()
         found.vector.weights.len(),
         found.vector.weights.iter().map(|w| w.to_string().len()).max().unwrap_or_default()
     )?;
-    writeln!(out, "  above  at eps = {above} some run does not converge")?;
+    writeln!(
+        out,
+        "  above  at eps = {above} some run does not converge (and for every larger eps)"
+    )?;
     writeln!(out, "         growth: |A| w >= w, the same w")?;
+    writeln!(
+        out,
+        "         both factors, |1 - 2 eps| + eps r with r below 2, are convex in eps and 1 at eps = 0"
+    )?;
     Ok(())
 }
 

@@ -55,7 +55,11 @@ fn candidates(region: &Region) -> Vec<Vec<Rational>> {
     let middle = region.middle();
     let spacing = Rational::from_integer((region.count - 1).into()).recip();
     let room = &spacing * &spacing / Rational::from_integer(3.into());
-    let mut found = Vec::new();
+    // The simplest first.
+    let mut found = vec![middle.clone()];
+    for d in &region.directions {
+        found.push(middle.iter().zip(d).map(|(x, y)| x + y).collect());
+    }
     for bits in PRECISIONS {
         let Some(w) = Perron::find(region.count, bits) else { continue };
         let heaviest = w.weights.iter().max().cloned().unwrap_or_else(BigInt::one);

@@ -4,17 +4,20 @@
 //! |e_i| <= c^k * max_j(|e_j^0|/w_j) * w_i. The *true* step comes from running the spec, and
 //! from a norm that no step increases, which is what makes "from then on" final.
 
-use std::cmp::Ordering;
+mod execute;
+mod jump;
+mod power;
 
-use cordon_spec::coverage::exec_coverage;
+use cordon_spec::Scalar;
 use cordon_spec::placement::{contraction_weight, scaled_error};
-use cordon_spec::{Ordered, Params, Scalar, State};
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
 use crate::linear::enclosure::Enclosure;
 use crate::linear::perron::Perron;
 use crate::{Error, Rational, Result};
+use execute::settling_step;
+use power::{Rounding, least_power_at_most};
 
 /// Which runs are meant.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,7 +51,8 @@ pub struct Proved {
 /// The true settling step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observed {
-    /// Established on enclosures or, where these could not tell, on exact fractions.
+    /// Established on enclosures, step by step or by jumps, or on exact fractions where
+    /// enclosures could not tell.
     Step(u64),
     /// The run is longer than the limit on work: not determined.
     TooLong,
@@ -61,6 +65,9 @@ pub enum Settling {
     Settles {
         /// At least one.
         proved: Vec<Proved>,
+        /// No earlier step than this will do: |A| w >= c w for the same vector w, where all
+        /// errors of the start have the signs in which A acts on them like |A|; else 0.
+        not_before: u64,
         /// The true step.
         observed: Observed,
     },
@@ -73,11 +80,11 @@ pub enum Settling {
 /// Bits of the Perron vectors tried, the first that decides wins.
 const PRECISIONS: [u64; 3] = [40, 160, 1_300];
 
-/// Most drone steps on enclosures: a minute or so.
-const MOST_DRONE_STEPS: u64 = 20_000_000;
+/// Most drone steps on enclosures: some ten seconds.
+const MOST_DRONE_STEPS: u64 = 5_000_000;
 
-/// Most of N * k^2 on exact fractions, whose length grows with k: a minute or so.
-const MOST_EXACT_WORK: u64 = 20_000_000;
+/// Most of N * k^2 on exact fractions, whose length grows with k: some ten seconds.
+const MOST_EXACT_WORK: u64 = 5_000_000;
 
 /// Bits after the point of the enclosures.
 const BITS: u32 = 256;
@@ -102,7 +109,8 @@ pub fn settling(starts: &Starts, eps: &Rational, within: &Rational) -> Result<Se
         if rate >= Rational::one() {
             continue;
         }
-        let observed = runs.observe(within, &vector);
+        let not_before = runs.not_before(within, &vector);
+        let observed = runs.observe(within, &vector, not_before);
         let by_vector = Proved {
             step: runs.proved_step(&rate, within, |i| {
                 Rational::from_integer(vector.weights.get(i - 1).cloned().unwrap_or_default())
@@ -112,7 +120,7 @@ pub fn settling(starts: &Starts, eps: &Rational, within: &Rational) -> Result<Se
         };
         let mut proved: Vec<Proved> = runs.proved_for_every_n(within).into_iter().collect();
         proved.push(by_vector);
-        return Ok(Settling::Settles { proved, observed });
+        return Ok(Settling::Settles { proved, not_before, observed });
     }
     Ok(Settling::Undecided)
 }
@@ -121,8 +129,11 @@ pub fn settling(starts: &Starts, eps: &Rational, within: &Rational) -> Result<Se
 struct Runs {
     count: usize,
     eps: Rational,
-    /// The one start; or those of all starts in which some |e_i^k| is largest.
+    /// The one start; or those of all starts in which some |e_i^k| is largest, one of two
+    /// mirrored ones.
     extremes: Vec<Vec<Rational>>,
+    /// Whether all starts are meant.
+    every: bool,
 }
 
 impl Runs {
@@ -136,7 +147,8 @@ impl Runs {
                 "drones: `{count}`: expected a number from 3 to 10000"
             )));
         }
-        let runs = Self { count, eps: eps.clone(), extremes };
+        let every = matches!(starts, Starts::AllWithin(_));
+        let runs = Self { count, eps: eps.clone(), extremes, every };
         for start in &runs.extremes {
             let (min, max) = ends(start);
             if min >= max {
@@ -155,7 +167,12 @@ impl Runs {
             let (min, max) = ends(start);
             (scaled_error(&min, &max, start, i) / &scale).abs()
         };
-        let largest = |i| self.extremes.iter().map(|s| error(s, i)).max().unwrap_or_default();
+        let largest = |i: usize| {
+            // A mirrored start that was left out counts as well.
+            let places = if self.every { [i, self.count - 1 - i] } else { [i, i] };
+            let of = |start| places.map(|i| error(start, i)).into_iter().max();
+            self.extremes.iter().filter_map(of).max().unwrap_or_default()
+        };
         (0..self.count).map(largest).collect()
     }
 
@@ -188,27 +205,83 @@ impl Runs {
             return 0;
         }
         let target = within / (norm * heaviest);
-        least_power_at_most(rate, &target)
+        least_power_at_most(rate, &target, Rounding::Up)
     }
 
-    fn observe(&self, within: &Rational, vector: &Perron) -> Observed {
-        let mut last = 0;
-        for start in &self.extremes {
-            let budget = MOST_DRONE_STEPS / self.count as u64 / self.extremes.len() as u64;
-            let enclosed =
-                settling_step(start, &self.eps, within, vector, budget, Enclosure::<BITS>::of);
-            let step = enclosed.or_else(|| {
+    /// A lower bound on the settling step: |e_i^k| >= c^k * min_j(|e_j^0|/w_j) * w_i where no
+    /// cancellation occurs.
+    fn not_before(&self, within: &Rational, vector: &Perron) -> u64 {
+        let heaviest = vector.weights.iter().max().cloned().unwrap_or_default();
+        let rate = vector.factor_below(&self.eps);
+        let bound = |start: &Vec<Rational>| {
+            let ratios = self.signed_errors(start).into_iter().zip(&vector.weights);
+            let share = ratios.map(|(e, w)| e / Rational::from_integer(w.clone())).min();
+            let share = share.unwrap_or_default() * Rational::from_integer(heaviest.clone());
+            if !share.is_positive() {
+                return 0;
+            }
+            least_power_at_most(&rate, &(within / share), Rounding::Down)
+        };
+        self.extremes.iter().map(bound).max().unwrap_or_default()
+    }
+
+    /// The errors of the internal drones times the signs of the Perron vector (1, or (-1)^i
+    /// beyond eps = 1/2), all turned so that the first is positive.
+    fn signed_errors(&self, start: &[Rational]) -> Vec<Rational> {
+        let (min, max) = ends(start);
+        let scale = Rational::from_integer((self.count - 1).into());
+        let alternate = beyond_half(&self.eps);
+        let error = |i: usize| {
+            let e = scaled_error(&min, &max, start, i) / &scale;
+            if alternate && i % 2 == 0 { -e } else { e }
+        };
+        let errors: Vec<Rational> = (1..self.count - 1).map(error).collect();
+        match errors.first() {
+            Some(first) if first.is_negative() => errors.into_iter().map(|e| -e).collect(),
+            _ => errors,
+        }
+    }
+
+    fn observe(&self, within: &Rational, vector: &Perron, not_before: u64) -> Observed {
+        let steps =
+            self.extremes.iter().map(|start| self.observe_one(start, within, vector, not_before));
+        // Undetermined as soon as one is.
+        match steps.collect::<Option<Vec<u64>>>() {
+            Some(steps) => Observed::Step(steps.into_iter().max().unwrap_or_default()),
+            None => Observed::TooLong,
+        }
+    }
+
+    fn observe_one(
+        &self,
+        start: &[Rational],
+        within: &Rational,
+        vector: &Perron,
+        not_before: u64,
+    ) -> Option<u64> {
+        let budget = MOST_DRONE_STEPS / self.count as u64;
+        // Jumps are cheaper than that many steps.
+        if not_before > budget / 50 {
+            if let Some(step) = jump::settling_step(start, &self.eps, within) {
+                return Some(step);
+            }
+        }
+        if not_before > budget {
+            return None;
+        }
+        settling_step(start, &self.eps, within, vector, budget, Enclosure::<BITS>::of).or_else(
+            || {
                 // N k^2 at most the limit.
                 let steps = (MOST_EXACT_WORK / self.count as u64).isqrt();
                 settling_step(start, &self.eps, within, vector, steps, Rational::clone)
-            });
-            match step {
-                Some(step) => last = last.max(step),
-                None => return Observed::TooLong,
-            }
-        }
-        Observed::Step(last)
+            },
+        )
     }
+}
+
+/// Where the least eigenvalue of A may be the one of largest modulus, and |A| is not A.
+fn beyond_half(eps: &Rational) -> bool {
+    eps * Rational::from_int(2) > Rational::one()
 }
 
 fn ends(start: &[Rational]) -> (Rational, Rational) {
@@ -221,115 +294,16 @@ fn ends(start: &[Rational]) -> (Rational, Rational) {
 /// S = diag((-1)^i) beyond: |e_i^k| is largest where every e_j^0 is at its end of
 /// \[T_j - 1, T_j\] with the sign that its column has, or with all signs reversed.
 fn extremes_within(count: usize, eps: &Rational) -> Vec<Vec<Rational>> {
-    let alternate = eps * Rational::from_int(2) > Rational::one();
+    let alternate = beyond_half(eps);
     let place = |i: usize, reverse: bool| {
         let to_max = (alternate && i % 2 == 1) != reverse;
         let at_max = i + 1 == count || (i > 0 && to_max);
         if at_max { Rational::one() } else { Rational::zero() }
     };
-    [false, true].map(|reverse| (0..count).map(|i| place(i, reverse)).collect()).to_vec()
-}
-
-/// The first step from which on every error of the run is at most `within`; `None` where the
-/// scalars cannot tell, or the run is longer than `steps`.
-fn settling_step<S: Ordered>(
-    start: &[Rational],
-    eps: &Rational,
-    within: &Rational,
-    vector: &Perron,
-    steps: u64,
-    scalar: impl Fn(&Rational) -> S,
-) -> Option<u64> {
-    let count = start.len();
-    let (min, max) = ends(start);
-    let params = Params { min: scalar(&min), max: scalar(&max), eps: scalar(eps), n: 0 };
-    // Errors come multiplied by N-1.
-    let bound = scalar(&(within * Rational::from_integer((count - 1).into())));
-    let norm = NormBound::new(eps, vector, &bound, &scalar);
-    let mut state = State { drones: start.iter().map(&scalar).collect::<Vec<S>>(), timesteps: 0 };
-    let mut settled_from = 0;
-    for k in 0..=steps {
-        let errors = (1..count - 1)
-            .map(|i| scaled_error(&params.min, &params.max, &state.drones, i))
-            .collect::<Vec<S>>();
-        if !all_at_most(&errors, |_| &bound)? {
-            settled_from = k + 1;
-        } else if norm.settles(&errors)? {
-            return Some(settled_from);
-        }
-        state = exec_coverage(&params, &state);
-    }
-    None
-}
-
-/// |e_i| <= f w_i for all i, with f as large as keeps every f w_i within the distance. No step
-/// leaves that region, whatever step it is met at.
-struct NormBound<S> {
-    /// Nothing to be checked beyond the distance itself: w = (1, ..., 1), for eps <= 1/2.
-    weights: Option<Vec<S>>,
-}
-
-impl<S: Ordered> NormBound<S> {
-    fn new(eps: &Rational, vector: &Perron, bound: &S, scalar: &impl Fn(&Rational) -> S) -> Self {
-        if eps * Rational::from_int(2) <= Rational::one() {
-            return Self { weights: None };
-        }
-        let heaviest = vector.weights.iter().max().cloned().unwrap_or_default();
-        let share = |w: &BigInt| scalar(&Rational::new(w.clone(), heaviest.clone()));
-        let weights = vector.weights.iter().map(|w| share(w) * bound).collect();
-        Self { weights: Some(weights) }
-    }
-
-    /// `Some(true)` only where the region is certainly met.
-    fn settles(&self, errors: &[S]) -> Option<bool> {
-        match &self.weights {
-            None => Some(true),
-            // An unknown answer means one more step, nothing worse.
-            Some(weights) => Some(all_at_most(errors, |i| &weights[i]).unwrap_or(false)),
-        }
-    }
-}
-
-/// Whether |e_i| <= limit(i) for all i.
-fn all_at_most<'a, S: Ordered + 'a>(errors: &[S], limit: impl Fn(usize) -> &'a S) -> Option<bool> {
-    let mut all = Some(true);
-    for (i, e) in errors.iter().enumerate() {
-        let above = e.compare(limit(i));
-        let below = (S::from_int(0) - e).compare(limit(i));
-        for side in [above, below] {
-            match side {
-                Some(Ordering::Greater) => return Some(false),
-                Some(_) => {}
-                None => all = None,
-            }
-        }
-    }
-    all
-}
-
-/// The least k with factor^k <= target, or one that is larger by rounding; 0 <= factor < 1.
-fn least_power_at_most(factor: &Rational, target: &Rational) -> u64 {
-    if *target >= Rational::one() {
-        return 0;
-    }
-    // Fixed point with enough bits for the target, powers rounded up.
-    let bits = 128 + target.denom().bits();
-    let scale = BigInt::one() << bits;
-    let fixed = (factor * Rational::from_integer(scale.clone())).ceil().to_integer();
-    let target = (target * Rational::from_integer(scale.clone())).floor().to_integer();
-    let times = |a: &BigInt, b: &BigInt| -(-(a * b) >> bits);
-    // Squares up to the first below the target, then down the binary digits of k - 1.
-    let mut squares = vec![fixed];
-    while let Some(last) = squares.last().filter(|&last| *last > target && squares.len() < 63) {
-        squares.push(times(last, last));
-    }
-    let (mut power, mut k) = (scale, 0_u64);
-    for (digit, square) in squares.iter().enumerate().rev() {
-        let next = times(&power, square);
-        if next > target {
-            power = next;
-            k += 1 << digit;
-        }
-    }
-    k + 1
+    let [one, other] = [false, true]
+        .map(|reverse| -> Vec<Rational> { (0..count).map(|i| place(i, reverse)).collect() });
+    // The protocol is its own mirror image: what it does from one of two mirrored starts, it
+    // does from the other.
+    let mirrored: Vec<Rational> = one.iter().rev().map(|x| Rational::one() - x).collect();
+    if mirrored == other { vec![one] } else { vec![one, other] }
 }

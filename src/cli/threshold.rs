@@ -1,7 +1,7 @@
 //! `cordon threshold`.
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use num_traits::One;
 use serde_json::{Value, json};
@@ -81,11 +81,10 @@ fn keep(args: &Args, cone: Cone, out: &mut dyn Write) -> Result<Outcome> {
         );
     }
     certificates.push((args.file_name("above"), certificate::refutation(&found.above)));
-    if !certificates.iter().all(|(_, c)| certificate::accepted(c)) {
+    let Some(files) = judged_and_written(args, &certificates)? else {
         writeln!(out, "{REJECTED}")?;
         return Ok(Outcome::Rejected);
-    }
-    let files = write_all(args.out.as_deref(), &certificates)?;
+    };
     match args.format {
         OutputFormat::Text => {
             keep_text(args, &found, out)?;
@@ -178,11 +177,10 @@ fn converge(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         ),
         (args.file_name("above"), certificate::growth(args.drones, &found.above, w)),
     ];
-    if !certificates.iter().all(|(_, c)| certificate::accepted(c)) {
+    let Some(files) = judged_and_written(args, &certificates)? else {
         writeln!(out, "{REJECTED}")?;
         return Ok(Outcome::Rejected);
-    }
-    let files = write_all(args.out.as_deref(), &certificates)?;
+    };
     match args.format {
         OutputFormat::Text => {
             converge_text(args, &found, out)?;
@@ -265,14 +263,18 @@ impl Args {
     }
 }
 
-fn write_all(folder: Option<&Path>, certificates: &[Named]) -> Result<Vec<String>> {
-    let Some(folder) = folder else {
-        return Ok(Vec::new());
+/// Has the certificates checked and writes them; the files, or `None` where one is rejected.
+fn judged_and_written(args: &Args, certificates: &[Named]) -> Result<Option<Vec<String>>> {
+    if !certificates.iter().all(|(_, c)| certificate::accepted(c)) {
+        return Ok(None);
+    }
+    let Some(folder) = &args.out else {
+        return Ok(Some(Vec::new()));
     };
-    certificates
+    let files = certificates
         .iter()
-        .map(|(name, c)| Ok(certificate::write(folder, name, c)?.display().to_string()))
-        .collect()
+        .map(|(name, c)| Ok(certificate::write(folder, name, c)?.display().to_string()));
+    files.collect::<Result<_>>().map(Some)
 }
 
 fn list_files(args: &Args, files: &[String], out: &mut dyn Write) -> Result<()> {

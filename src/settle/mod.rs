@@ -233,7 +233,7 @@ impl Runs {
         let alternate = beyond_half(&self.eps);
         let error = |i: usize| {
             let e = scaled_error(&min, &max, start, i) / &scale;
-            if alternate && i % 2 == 0 { -e } else { e }
+            if alternate && i.is_multiple_of(2) { -e } else { e }
         };
         let errors: Vec<Rational> = (1..self.count - 1).map(error).collect();
         match errors.first() {
@@ -261,10 +261,10 @@ impl Runs {
     ) -> Option<u64> {
         let budget = MOST_DRONE_STEPS / self.count as u64;
         // Jumps are cheaper than that many steps.
-        if not_before > budget / 50 {
-            if let Some(step) = jump::settling_step(start, &self.eps, within) {
-                return Some(step);
-            }
+        if not_before > budget / 50
+            && let Some(step) = jump::settling_step(start, &self.eps, within)
+        {
+            return Some(step);
         }
         if not_before > budget {
             return None;

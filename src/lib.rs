@@ -20,7 +20,10 @@ pub mod scalar;
 pub mod scenario;
 pub mod settle;
 pub mod simulate;
+pub mod stencil;
+pub mod sweep;
 pub mod threshold;
+
 pub mod trace;
 
 pub use error::{Error, Outcome, Result};

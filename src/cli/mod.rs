@@ -13,6 +13,7 @@ pub mod scenario_args;
 pub mod select;
 mod settle;
 mod setup;
+mod sweep;
 mod table;
 mod theorems;
 mod threshold;
@@ -58,6 +59,8 @@ pub enum Command {
     Check(check::Args),
     /// Bracket the critical weight of a property from both sides, with a certificate on each
     Threshold(threshold::Args),
+    /// Try theorems on every start of a grid, or decide them for all real starts
+    Sweep(Box<sweep::Args>),
     /// Print a completion script for a shell
     Completions(setup::Args),
     /// Print the manual page (roff; read it with `cordon man | man -l -`)
@@ -80,6 +83,7 @@ impl Cli {
             Command::Prove(args) => prove::run(&args, out),
             Command::Check(args) => check::run(&args, out),
             Command::Threshold(args) => threshold::run(&args, out),
+            Command::Sweep(args) => sweep::run(&args, out),
             Command::Completions(args) => setup::completions(&args, out),
             Command::Man => setup::man(out),
         }

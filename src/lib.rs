@@ -23,7 +23,6 @@ pub mod simulate;
 pub mod stencil;
 pub mod sweep;
 pub mod threshold;
-
 pub mod trace;
 
 pub use error::{Error, Outcome, Result};

@@ -160,6 +160,38 @@ fn a_counterexample_replays_from_the_command_line() {
 }
 
 #[test]
+fn prove_ends_with_a_certificate_a_counterexample_or_neither() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path().to_str().unwrap();
+    let prove = |file: &str| run(&["prove", "--protocol", file, "--out", dir]);
+    let (code, out, err) = prove("scenarios/own/leader-chain.toml");
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(out.contains("proved") && out.contains("inductive") && out.contains("base"), "{out}");
+    for end in ["low", "high"] {
+        let file = folder.path().join(format!("leader-chain-{end}.json"));
+        assert_eq!(run(&["check", file.to_str().unwrap()]).0, 0);
+    }
+    let (code, out, _) = prove("scenarios/own/hasty-coverage.toml");
+    assert_eq!(code, 1, "{out}");
+    assert!(!folder.path().join("hasty-coverage.json").exists());
+    // An exact rotation: the disc is kept, no polygon is.
+    let turning = folder.path().join("turning.toml");
+    let text = "drones = 2\nstart = [\"-1 <= x0 <= 1\", \"-1 <= x1 <= 1\"]\nclaim = [\"x0 <= 3/2\"]\n\
+                [update]\nx0 = \"3/5*x0 - 4/5*x1\"\nx1 = \"4/5*x0 + 3/5*x1\"\n";
+    std::fs::write(&turning, text).unwrap();
+    let (code, out, _) = prove(turning.to_str().unwrap());
+    assert_eq!(code, 3);
+    assert!(out.contains("not refuted") && out.contains("complete for all starts"), "{out}");
+    let (code, out, _) =
+        run(&["prove", "--protocol", "scenarios/own/ring-consensus.toml", "--format", "json"]);
+    let page: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((code, &page["proved"]), (0, &serde_json::json!(true)));
+    assert_eq!(page["schema"], "cordon-own-protocol/1");
+    let (code, out, _) = run(&["prove", "--protocol", "no-such-file.toml"]);
+    assert_eq!((code, out.as_str()), (74, ""));
+}
+
+#[test]
 fn mistakes_are_named_with_file_line_column_and_key() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("p.toml");

@@ -187,6 +187,10 @@ fn proved(
         "  inductive: {} half-spaces, {} of them claimed, each kept by a step{at} (certified)",
         proof.half_spaces, proof.claimed
     )?;
+    writeln!(
+        out,
+        "  base: every assumed start meets them (exact multipliers; the certificates are about the step)"
+    )?;
     for file in files {
         writeln!(out, "  wrote {file}")?;
     }

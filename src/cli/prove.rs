@@ -7,6 +7,7 @@ use cordon_check::Verdict;
 use cordon_spec::theorems::{Form, Theorem};
 use serde_json::{Value, json};
 
+use super::own_protocol;
 use super::select::OutputFormat;
 use crate::prove::claims::Claim;
 use crate::prove::{Effort, Found, Scope, evident, exactness, prove};
@@ -19,6 +20,9 @@ pub struct Args {
     /// extensions (7.2-activation, ...), 7.2-exact, 7.3-exact
     #[arg(value_name = "CLAIMS", default_value = "all")]
     pub claims: String,
+    /// Prove or refute the claims of an own protocol instead (TOML, see `scenarios/own/`)
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["claims", "form", "eps", "drones"])]
+    pub protocol: Option<PathBuf>,
     /// Form of the theorems
     #[arg(long, value_enum, default_value_t = FormChoice::Sharp)]
     pub form: FormChoice,
@@ -62,6 +66,10 @@ const EXACT: [(&str, Theorem); 2] =
 
 /// Searches certificates, has each one checked, and writes them.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    if let Some(path) = &args.protocol {
+        let search = own_protocol::Search::default();
+        return own_protocol::prove(path, args.out.as_deref(), &search, args.format, out);
+    }
     let drones = drones(&args.drones)?;
     let weights = args.eps.as_deref().map(interval).transpose()?;
     let tasks = tasks(args, drones.is_some() || weights.is_some())?;

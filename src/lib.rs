@@ -6,8 +6,10 @@
 
 pub mod cli;
 pub mod error;
+pub mod fast;
 pub mod exact;
 pub mod files;
+pub mod stencil;
 pub mod scalar;
 
 pub use error::{Error, Outcome, Result};

@@ -5,12 +5,17 @@
 //! command line ([`cli`]) is a thin face over them.
 
 pub mod cli;
+pub mod errata;
 pub mod error;
-pub mod fast;
 pub mod exact;
+pub mod fast;
 pub mod files;
-pub mod stencil;
+pub mod projection;
 pub mod scalar;
+pub mod scenario;
+pub mod simulate;
+pub mod stencil;
+pub mod trace;
 
 pub use error::{Error, Outcome, Result};
 pub use exact::Rational;

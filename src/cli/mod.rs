@@ -2,8 +2,12 @@
 //!
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
+mod errata;
+mod local;
+pub mod scenario_args;
 pub mod select;
 mod theorems;
+mod trace;
 
 use std::io::Write;
 
@@ -27,6 +31,12 @@ const EXIT_CODES: &str = "Exit codes: 0 holds or done, 1 refuted, 2 bad usage or
 /// The commands.
 #[derive(Subcommand, Debug)]
 pub enum Command {
+    /// Print the trace of a scenario: the placement after every protocol step or tick
+    Trace(Box<trace::Args>),
+    /// Run N local machines that exchange positions and compare with the global protocol
+    Local(Box<local::Args>),
+    /// Re-establish the paper's slips by computation, now
+    Errata(errata::Args),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
 }
@@ -38,6 +48,9 @@ impl Cli {
     /// Bad input, or a file or stream that cannot be read or written.
     pub fn run(self, out: &mut dyn Write) -> Result<Outcome> {
         match self.command {
+            Command::Trace(args) => trace::run(&args, out),
+            Command::Local(args) => local::run(&args, out),
+            Command::Errata(args) => errata::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
         }
     }

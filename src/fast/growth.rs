@@ -35,7 +35,7 @@ impl Growth {
     /// At least the bits of `n^t`; saturates far beyond any memory.
     pub fn bits(self, t: u64) -> u64 {
         // A double's relative error in the product is below 1e-12.
-        (self.log2 * t as f64 * (1.0 + 1e-12)) as u64 + 2
+        ((self.log2 * t as f64 * (1.0 + 1e-12)) as u64).saturating_add(2)
     }
 }
 

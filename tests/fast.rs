@@ -114,8 +114,7 @@ fn every_small_line_and_step_count() {
         for eps in [ratio(1, 5), ratio(1, 2), ratio(7, 10), ratio(-1, 3), ratio(0, 1), ratio(3, 4)]
         {
             let p = Params { min: ratio(0, 1), max: ratio(100, 1), eps, n: 0 };
-            let place =
-                |i| if i + 1 == count { ratio(100, 1) } else { ratio(40 * i as i64, 8) };
+            let place = |i| if i + 1 == count { ratio(100, 1) } else { ratio(40 * i as i64, 8) };
             let start: Vec<_> = (0..count).map(place).collect();
             let line = Line::coverage(&p, &start).unwrap();
             let steps: Vec<u64> = (0..=40).rev().collect();

@@ -15,6 +15,7 @@ mod kernel;
 mod limbs;
 pub mod line;
 pub mod multiply;
+pub mod ntt;
 mod power;
 pub mod step;
 

@@ -36,27 +36,6 @@ impl Multiply for NumBigint {
     }
 }
 
-/// `dashu`: schoolbook, Karatsuba and Toom-3, in assembly-free Rust.
-#[cfg(feature = "dashu")]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Dashu;
-
-#[cfg(feature = "dashu")]
-impl Multiply for Dashu {
-    fn name(&self) -> &'static str {
-        "dashu"
-    }
-
-    fn product(&self, a: &[u64], b: &[u64]) -> Vec<u64> {
-        let [a, b] = [a, b].map(dashu_int::UBig::from_words);
-        (a * b).as_words().to_vec()
-    }
-
-    fn square(&self, a: &[u64]) -> Vec<u64> {
-        dashu_int::UBig::from_words(a).sqr().as_words().to_vec()
-    }
-}
-
 /// GMP, through `rug`.
 #[cfg(feature = "gmp")]
 #[derive(Clone, Copy, Debug, Default)]
@@ -69,14 +48,19 @@ impl Multiply for Gmp {
     }
 
     fn product(&self, a: &[u64], b: &[u64]) -> Vec<u64> {
-        use rug::{Integer, integer::Order};
-        let [a, b] = [a, b].map(|x| Integer::from_digits(x, Order::Lsf));
-        Integer::from(&a * &b).to_digits(Order::Lsf)
+        let [a, b] = [a, b].map(|x| rug::Integer::from_digits(x, rug::integer::Order::Lsf));
+        gmp_limbs(&rug::Integer::from(&a * &b))
     }
 
     fn square(&self, a: &[u64]) -> Vec<u64> {
-        use rug::{Integer, integer::Order};
-        let square = { Integer::from(Integer::from_digits(a, Order::Lsf).square_ref()) };
-        square.to_digits(Order::Lsf)
+        let a = rug::Integer::from_digits(a, rug::integer::Order::Lsf);
+        gmp_limbs(&rug::Integer::from(a.square_ref()))
     }
+}
+
+#[cfg(feature = "gmp")]
+fn gmp_limbs(x: &rug::Integer) -> Vec<u64> {
+    let mut limbs = vec![0; x.significant_digits::<u64>()];
+    x.write_digits(&mut limbs, rug::integer::Order::Lsf);
+    limbs
 }

@@ -6,6 +6,7 @@ mod errata;
 mod local;
 pub mod scenario_args;
 pub mod select;
+mod setup;
 mod theorems;
 mod trace;
 
@@ -39,6 +40,10 @@ pub enum Command {
     Errata(errata::Args),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
+    /// Print a completion script for a shell
+    Completions(setup::Args),
+    /// Print the manual page (roff; read it with `cordon man | man -l -`)
+    Man,
 }
 
 impl Cli {
@@ -52,6 +57,8 @@ impl Cli {
             Command::Local(args) => local::run(&args, out),
             Command::Errata(args) => errata::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
+            Command::Completions(args) => setup::completions(&args, out),
+            Command::Man => setup::man(out),
         }
     }
 }

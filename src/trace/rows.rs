@@ -90,12 +90,12 @@ pub fn select(scenario: &Scenario, selection: Selection) -> Result<Trace<'_>> {
     if from > to {
         return Err(Error::input(format!("from: `{from}`: expected at most the last row, {to}")));
     }
+    refuse_endless(scenario, unit, to)?;
     if (to - from) / every >= MAX_ROWS {
         return Err(Error::input(format!(
             "every: `{every}`: expected at most {MAX_ROWS} rows between {from} and {to}"
         )));
     }
-    refuse_endless(scenario, unit, to)?;
     let mut rows = Vec::new();
     let mut last_step = None;
     for s in simulate::run(scenario) {

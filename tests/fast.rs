@@ -4,8 +4,12 @@
 use std::cell::Cell;
 
 use cordon::Rational;
+use cordon::exact::decimal_string;
+use cordon::fast::digits::{self, Digits, enclose};
 use cordon::fast::multiply::NumBigint;
-use cordon::fast::{Line, jump, step};
+use cordon::fast::ntt::Ntt;
+use cordon::fast::verify::verify;
+use cordon::fast::{self, Engine, Line, Rule, jump, step};
 use cordon_spec::consensus::exec_consensus;
 use cordon_spec::coverage::kth_step;
 use cordon_spec::graph::Path;
@@ -57,10 +61,10 @@ fn coverage_case() -> impl Strategy<Value = (Params<Rational>, Vec<Rational>)> {
 
 #[test]
 fn jump_is_stepping_is_the_spec() {
-    const CASES: u32 = 300;
+    const CASES: u32 = 200;
     let (ran, above_half, negative, wrapped) =
         (Cell::new(0), Cell::new(0), Cell::new(0), Cell::new(0));
-    let case = (coverage_case(), prop::collection::vec(0u64..60, 1..4));
+    let case = (coverage_case(), prop::collection::vec(0u64..50, 1..4));
     TestRunner::new(ProptestConfig::with_cases(CASES))
         .run(&case, |((p, start), steps)| {
             let line = Line::coverage(&p, &start).unwrap();
@@ -103,6 +107,119 @@ fn consensus_jump_is_stepping_is_the_spec() {
         })
         .unwrap();
     assert_eq!(ran.get(), CASES);
+}
+
+/// A verification draws primes from its seed, passes what is right and finds what is wrong,
+/// wherever it is wrong.
+#[test]
+fn random_primes_catch_an_injected_fault() {
+    const CASES: u32 = 100;
+    let ran = Cell::new(0);
+    let case = (
+        coverage_case(),
+        prop::collection::vec(0u64..40, 1..3),
+        any::<prop::sample::Index>(),
+        any::<prop::sample::Index>(),
+        -1000i64..1000,
+        any::<u64>(),
+    );
+    TestRunner::new(ProptestConfig::with_cases(CASES))
+        .run(&case, |((p, start), steps, row, drone, fault, seed)| {
+            let rule = Rule::Coverage { min: p.min, max: p.max, eps: p.eps };
+            let mut answers =
+                fast::engine::positions(&rule.line(&start).unwrap(), &steps, Engine::Jump).unwrap();
+            let right = verify(&rule, &start, &answers, 2, seed).unwrap();
+            prop_assert_eq!(right.disagreement, None);
+            prop_assert_eq!(right.primes.len(), 2);
+            prop_assert!(right.primes.iter().all(|p| p >> 60 == 1));
+            prop_assert_eq!(right.compared, 2 * (steps.len() * start.len()) as u64);
+            prop_assert!(right.log2_chance < -59.0);
+            prop_assert_eq!(&verify(&rule, &start, &answers, 2, seed).unwrap(), &right);
+
+            let row = row.index(answers.len());
+            let drone = drone.index(start.len());
+            answers[row].numerators[drone] += if fault >= 0 { fault + 1 } else { fault };
+            let wrong = verify(&rule, &start, &answers, 1, seed).unwrap();
+            let found = wrong.disagreement.expect("a fault that no prime shows");
+            prop_assert_eq!((found.k, found.drone), (answers[row].k, drone));
+            ran.set(ran.get() + 1);
+            Ok(())
+        })
+        .unwrap();
+    assert_eq!(ran.get(), CASES);
+}
+
+/// More drones than positions, or fewer, never pass.
+#[test]
+fn an_answer_of_another_length_is_a_disagreement() {
+    let rule = Rule::Consensus { eps: ratio(1, 3) };
+    let start = [0, 1, 5, 9].map(|x| ratio(x, 1));
+    let line = rule.line(&start).unwrap();
+    let mut answers = fast::engine::positions(&line, &[9], Engine::Auto).unwrap();
+    assert_eq!(verify(&rule, &start, &answers, 1, 7).unwrap().disagreement, None);
+    let last = answers[0].numerators.pop().unwrap();
+    assert!(verify(&rule, &start, &answers, 1, 7).unwrap().disagreement.is_some());
+    answers[0].numerators.extend([last.clone(), last]);
+    assert!(verify(&rule, &start, &answers, 1, 7).unwrap().disagreement.is_some());
+}
+
+/// Enclosures contain the exact positions, are as narrow as asked, and the certain digits are
+/// those of the exact positions.
+#[test]
+fn certain_digits_are_those_of_the_exact_positions() {
+    const CASES: u32 = 200;
+    let (ran, ties) = (Cell::new(0), Cell::new(0));
+    let small = (-50i64..50, 1i64..8).prop_map(|(p, q)| ratio(p, q));
+    let case = (weight(), prop::collection::vec(small, 3..9), 0u64..120, 0usize..40, any::<bool>());
+    TestRunner::new(ProptestConfig::with_cases(CASES))
+        .run(&case, |(eps, start, k, digits, coverage)| {
+            let rule = if coverage {
+                let (min, max) = (start[0].clone(), start[start.len() - 1].clone());
+                Rule::Coverage { min, max, eps }
+            } else {
+                Rule::Consensus { eps }
+            };
+            let line = rule.line(&start).unwrap();
+            let exact = step::at(&line, &[k]).unwrap()[0].positions(&NumBigint);
+            let width = Rational::new(1.into(), num_bigint::BigInt::from(1) << 100u32);
+            for (e, x) in enclose(&line, k, 100, &NumBigint).unwrap().iter().zip(&exact) {
+                prop_assert!(e.lo <= *x && *x <= e.hi && &e.hi - &e.lo <= width);
+            }
+            let found = digits::at(&line, &[k], digits, &NumBigint).unwrap();
+            prop_assert_eq!(found.len(), 1);
+            for (p, x) in found[0].positions.iter().zip(&exact) {
+                prop_assert_eq!(&p.decimal, &decimal_string(x, p.digits));
+            }
+            prop_assert!(found[0].certain() >= digits);
+            let tie = found[0].positions.iter().any(|p| p.digits > digits);
+            ties.set(ties.get() + u32::from(tie));
+            ran.set(ran.get() + 1);
+            Ok(())
+        })
+        .unwrap();
+    assert_eq!(ran.get(), CASES);
+    // Positions exactly between two decimals occurred.
+    assert!(ties.get() > 0);
+}
+
+/// Numbers of steps that no exact run reaches.
+#[test]
+fn digits_after_any_number_of_steps() {
+    let rule = |eps| Rule::Coverage { min: ratio(0, 1), max: ratio(100, 1), eps };
+    let start = [0, 10, 20, 30, 100].map(|x| ratio(x, 1));
+    let line = rule(ratio(1, 5)).line(&start).unwrap();
+    let found = digits::at(&line, &[u64::MAX, 0, 1], 30, &Ntt).unwrap();
+    let decimals = |d: &Digits| d.positions.iter().map(|p| p.decimal.clone()).collect::<Vec<_>>();
+    let zeros = "0".repeat(30);
+    let wanted = |x: [u32; 5]| x.map(|n| format!("{n}.{zeros}")).to_vec();
+    assert_eq!(decimals(&found[0]), wanted([0, 25, 50, 75, 100]));
+    assert_eq!(decimals(&found[1]), wanted([0, 10, 20, 30, 100]));
+    assert_eq!(decimals(&found[2]), wanted([0, 10, 20, 42, 100]));
+    // A weight beyond 1/2 cancels away as many bits as there are steps, and says so.
+    let beyond = rule(ratio(7, 10)).line(&start).unwrap();
+    let said = digits::at(&beyond, &[u64::MAX], 30, &Ntt).unwrap_err().to_string();
+    assert!(said.contains("certain digits of 5 drones take about"), "{said}");
+    assert_eq!(digits::at(&beyond, &[500], 5, &Ntt).unwrap()[0].certain(), 5);
 }
 
 /// Lengths of line and runs around every corner of the engines: the least line, kernels that

@@ -41,16 +41,28 @@ fn after(line: &Line, k: u64, by: &dyn Multiply) -> Answer {
 
 /// `D * Q^k` times every drone's deviation after k steps.
 fn deviations(line: &Line, k: u64, by: &dyn Multiply) -> Vec<BigInt> {
-    let count = line.count();
-    // Half the ring; how far drone 0 is from its image beyond the left end; the drones that move.
-    let (half, image, moving) = match line.ends {
-        Ends::Fixed => (count - 1, 0, 1..count - 1),
-        Ends::Free => (count, 1, 0..count),
-    };
     if line.deviation.iter().all(Zero::is_zero) {
         return line.deviation.clone();
     }
-    let kernel = Kernel::power(line, half, k, by);
+    convolve(line, &Kernel::power(line, half_ring(line), k, by))
+}
+
+/// Half the length of the ring that the line is unfolded to.
+pub(super) fn half_ring(line: &Line) -> usize {
+    match line.ends {
+        Ends::Fixed => line.count() - 1,
+        Ends::Free => line.count(),
+    }
+}
+
+/// The convolution of the kernel with the unfolded deviations: one number a drone.
+pub(super) fn convolve(line: &Line, kernel: &Kernel) -> Vec<BigInt> {
+    let count = line.count();
+    // How far drone 0 is from its image beyond the left end, and the drones that move.
+    let (image, moving) = match line.ends {
+        Ends::Fixed => (0, 1..count - 1),
+        Ends::Free => (1, 0..count),
+    };
     let sources: Vec<_> = line
         .deviation
         .iter()
@@ -73,23 +85,28 @@ fn deviations(line: &Line, k: u64, by: &dyn Multiply) -> Vec<BigInt> {
         sum.fill(0);
         for (j, magnitude, negative) in &sources {
             let (direct, mirrored) = (i.abs_diff(*j), i + j + image);
-            // Both places have the same parity as i - j or the opposite one: signs apart.
-            pair.fill(0);
-            limbs::add(&mut pair, kernel.coefficient(direct), false);
-            let flipped = kernel.negative(direct) != kernel.negative(mirrored);
-            let odd = line.ends == Ends::Fixed;
-            let minus = if flipped != odd {
-                limbs::sub(&mut pair, kernel.coefficient(mirrored), false)
-            } else {
-                limbs::add(&mut pair, kernel.coefficient(mirrored), false)
-            };
-            if minus {
-                limbs::negate(&mut pair);
-            }
-            let sign = minus ^ kernel.negative(direct) ^ negative;
-            limbs::accumulate(&mut sum, &pair, magnitude, sign);
+            let sign = pair_up(&mut pair, kernel, direct, mirrored, line.ends);
+            limbs::accumulate(&mut sum, &pair, magnitude, sign ^ negative);
         }
         moved.push(limbs::integer(&mut sum));
     }
     moved
+}
+
+/// The magnitude of what a deviation gives a drone: directly, and through its image beyond an
+/// end, which is odd for fixed ends and even for free ones. Returns whether it is negative.
+fn pair_up(pair: &mut [u64], kernel: &Kernel, direct: usize, mirrored: usize, ends: Ends) -> bool {
+    pair.fill(0);
+    limbs::add(pair, kernel.coefficient(direct), false);
+    let opposite = kernel.negative(direct) != kernel.negative(mirrored);
+    let mut below_zero = false;
+    if opposite != (ends == Ends::Fixed) {
+        below_zero = limbs::sub(pair, kernel.coefficient(mirrored), false);
+    } else {
+        limbs::add(pair, kernel.coefficient(mirrored), false);
+    }
+    if below_zero {
+        limbs::negate(pair);
+    }
+    below_zero ^ kernel.negative(direct)
 }

@@ -13,11 +13,11 @@
 //!   both are the same integer (D. Harvey's reciprocal evaluation points). So one squaring of a
 //!   number as long as the answer does a step of the power.
 
-use num_bigint::BigInt;
+use num_bigint::{BigInt, BigUint};
 use num_traits::Signed;
 
 use super::growth::{Growth, limbs_for};
-use super::limbs;
+use super::limbs::{self, LIMB_BITS};
 use super::line::Line;
 use super::multiply::Multiply;
 
@@ -41,6 +41,25 @@ impl Signs {
     }
 }
 
+/// How long coefficients are kept.
+#[derive(Clone, Copy, Debug)]
+enum Length {
+    /// In full.
+    Exact(Growth),
+    /// As fractions of W^k, in so many limbs after the point, rounded down.
+    Fixed(usize),
+}
+
+impl Length {
+    /// A bound of the bits of the coefficients of a product of powers whose exponents sum to k.
+    fn product_bits(self, k: u64) -> u64 {
+        match self {
+            Self::Exact(growth) => growth.bits(k),
+            Self::Fixed(limbs) => 2 * LIMB_BITS * limbs as u64 + 1,
+        }
+    }
+}
+
 /// The k-th power: the magnitudes of its coefficients at 0 ..= m; the others mirror them.
 pub struct Kernel {
     coefficients: Vec<u64>,
@@ -50,34 +69,52 @@ pub struct Kernel {
     /// The exponent so far.
     k: u64,
     rule: Rule,
+    /// The coefficients are too small by less than so many units of their last place.
+    error: u128,
 }
 
 /// The magnitudes of the weights, and what they imply.
 struct Rule {
     side: Vec<u64>,
     centre: Vec<u64>,
-    growth: Growth,
+    /// The sum of all: W.
+    total: BigUint,
+    length: Length,
     signs: Signs,
 }
 
 impl Kernel {
     /// The `k`-th power of the step of `line` on a ring of `2*half` places, `half >= 2`.
     pub fn power(line: &Line, half: usize, k: u64, by: &dyn Multiply) -> Self {
+        Self::raise(line, half, k, Length::Exact(Growth::of(&line.growth())), by)
+    }
+
+    /// The `k`-th power over `W^k`, with W the sum of the weights' magnitudes, in fixed point:
+    /// `limbs` limbs after the point, see [`Kernel::error`].
+    pub fn fixed_power(line: &Line, half: usize, k: u64, limbs: usize, by: &dyn Multiply) -> Self {
+        Self::raise(line, half, k, Length::Fixed(limbs), by)
+    }
+
+    fn raise(line: &Line, half: usize, k: u64, length: Length, by: &dyn Multiply) -> Self {
         let magnitude = |w: &BigInt| w.magnitude().to_u64_digits();
         let rule = Rule {
             side: magnitude(&line.side),
             centre: magnitude(&line.centre),
-            growth: Growth::of(&line.growth()),
+            total: line.growth().magnitude().clone(),
+            length,
             signs: Signs { centre: line.centre.is_negative(), side: line.side.is_negative() },
         };
-        let stride = limbs_for(rule.growth.bits(0));
+        // The power 0 is 1.
+        let (stride, unit) = match length {
+            Length::Exact(_) => (1, 0),
+            Length::Fixed(limbs) => (limbs + 1, limbs),
+        };
         let mut coefficients = vec![0; stride * (half + 1)];
-        if let Some(one) = coefficients.first_mut() {
+        if let Some(one) = coefficients.get_mut(unit) {
             *one = 1;
         }
-        let mut power = Self { coefficients, stride, half, k: 0, rule };
-        let length = u64::BITS - k.leading_zeros();
-        for bit in (0..length).rev() {
+        let mut power = Self { coefficients, stride, half, k: 0, rule, error: 0 };
+        for bit in (0..u64::BITS - k.leading_zeros()).rev() {
             if power.k > 0 {
                 power.square(by);
             }
@@ -86,6 +123,12 @@ impl Kernel {
             }
         }
         power
+    }
+
+    /// In fixed point: every true coefficient lies between the one here and that plus so many
+    /// units of the last place. 0 for exact powers.
+    pub fn error(&self) -> u128 {
+        self.error
     }
 
     /// Limbs of a coefficient.
@@ -112,17 +155,36 @@ impl Kernel {
     /// Multiplies by the kernel once.
     fn step(&mut self) {
         let k = self.k + 1;
-        let stride = limbs_for(self.rule.growth.bits(k));
+        let stride = match self.rule.length {
+            Length::Exact(growth) => limbs_for(growth.bits(k)),
+            Length::Fixed(_) => self.stride,
+        };
+        // Room for the weights before the division by their sum.
+        let mut sum = vec![0; stride + limbs_for(self.rule.total.bits())];
         let mut next = vec![0; stride * (self.half + 1)];
         let places = next.chunks_exact_mut(stride).enumerate();
         for (j, into) in places.take(self.degree() + 2) {
             // The coefficient at -1 is that at 1; beyond `half` the ring folds back.
             let (before, after) = (j.abs_diff(1), j + 1);
+            sum.fill(0);
             for (from, weight) in
                 [(before, &self.rule.side), (j, &self.rule.centre), (after, &self.rule.side)]
             {
-                limbs::accumulate(into, limbs::trimmed(self.coefficient(from)), weight, false);
+                limbs::accumulate(&mut sum, limbs::trimmed(self.coefficient(from)), weight, false);
             }
+            match self.rule.length {
+                Length::Exact(_) => {
+                    limbs::add(into, limbs::trimmed(&sum), false);
+                }
+                Length::Fixed(_) => {
+                    // A mean of numbers too small by the same error, then rounded down.
+                    let mean = limbs::natural(&sum) / &self.rule.total;
+                    limbs::write(into, &mean.into());
+                }
+            }
+        }
+        if let Length::Fixed(_) = self.rule.length {
+            self.error += 1;
         }
         (self.coefficients, self.stride, self.k) = (next, stride, k);
     }
@@ -133,7 +195,7 @@ impl Kernel {
         // On the full ring the place `half` is its own mirror image: a palindrome of twice the
         // coefficients counts it half at either end.
         let doubled = degree == self.half;
-        let bits = self.rule.growth.bits(k) + if doubled { 2 } else { 0 };
+        let bits = self.rule.length.product_bits(k) + if doubled { 2 } else { 0 };
         let slot = limbs_for((bits + 1).div_ceil(2));
         let packed = self.pack(degree, slot, doubled);
         let stride = limbs_for(bits);
@@ -161,6 +223,23 @@ impl Kernel {
             }
         }
         (self.coefficients, self.stride, self.k) = (next, stride, k);
+        if let Length::Fixed(limbs) = self.rule.length {
+            self.round_down(limbs);
+        }
+    }
+
+    /// After a squaring in fixed point: drops the limbs that the product has too many.
+    fn round_down(&mut self, limbs: usize) {
+        let kept = limbs + 1;
+        let rows = self.coefficients.chunks_exact(self.stride);
+        let cut =
+            |row: &[u64]| (0..kept).map(|i| row.get(limbs + i).copied().unwrap_or(0)).collect();
+        self.coefficients = rows.flat_map::<Vec<u64>, _>(cut).collect();
+        self.stride = kept;
+        // With c <= true < c + e, sums of c at most 1 and 2m places, the square is too small
+        // by less than 2e + 2m e^2 (in units of the last place; the caller has chosen that
+        // unit so small that the second term is below 1), and by less than 1 for rounding.
+        self.error = 2 * self.error + 2;
     }
 
     /// The palindrome `z^-degree ..= z^degree` at `z = 2^(64 slot)`, times 2 if `doubled`.

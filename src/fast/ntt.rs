@@ -72,7 +72,7 @@ struct Factor {
 
 /// The high limb of a product.
 fn high(a: u64, b: u64) -> u64 {
-    (u128::from(a) * u128::from(b) >> 64) as u64
+    ((u128::from(a) * u128::from(b)) >> 64) as u64
 }
 
 impl Field {
@@ -117,7 +117,7 @@ impl Field {
     /// Prepares a factor below p.
     fn factor(self, value: u64) -> Factor {
         // Too small by 3 at most, which the remainder shows.
-        let mut quotient = (u128::from(value) * u128::from(self.reciprocal) >> 61) as u64;
+        let mut quotient = ((u128::from(value) * u128::from(self.reciprocal)) >> 61) as u64;
         let mut rest = quotient.wrapping_mul(self.p).wrapping_neg();
         while rest >= self.p {
             rest -= self.p;
@@ -151,7 +151,7 @@ impl Field {
     fn montgomery(self, a: u64, b: u64) -> u64 {
         let product = u128::from(a) * u128::from(b);
         let m = (product as u64).wrapping_mul(self.minus_inverse);
-        (product + u128::from(m) * u128::from(self.p) >> 64) as u64
+        ((product + u128::from(m) * u128::from(self.p)) >> 64) as u64
     }
 
     /// The twiddle factors of nodes 0 .. count of every depth: entry b is the square root of

@@ -173,7 +173,7 @@ fn fused<const UNIT: bool>(
     (centre, centre_mask): (u64, u64),
 ) {
     let complements =
-        (u128::from(side) * 2 & wide(side_mask)) + (u128::from(centre) & wide(centre_mask));
+        ((u128::from(side) * 2) & wide(side_mask)) + (u128::from(centre) & wide(centre_mask));
     let mut carry = complements;
     let neighbours = before.iter().zip(after);
     for ((x, &b), (&a, &c)) in into.iter_mut().zip(own).zip(neighbours) {

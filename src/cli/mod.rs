@@ -9,6 +9,7 @@ pub mod select;
 mod setup;
 mod theorems;
 mod trace;
+mod trace_at;
 
 use std::io::Write;
 

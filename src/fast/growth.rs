@@ -72,7 +72,7 @@ impl Line {
         }
         Err(Error::input(format!(
             "at: `{k}`: the exact positions of {} drones after so many steps take about {}: \
-             expected at most {}; certified digits have no such limit",
+             expected at most {} (digits that are certain, `--engine digits`, have no such limit)",
             self.count(),
             readable(bytes),
             readable(MAX_ANSWER_BYTES)

@@ -15,6 +15,7 @@ pub mod scalar;
 pub mod scenario;
 pub mod simulate;
 pub mod stencil;
+pub mod swarm;
 pub mod trace;
 
 pub use error::{Error, Outcome, Result};

@@ -7,6 +7,7 @@ mod local;
 pub mod scenario_args;
 pub mod select;
 mod setup;
+mod swarm;
 mod theorems;
 mod trace;
 mod trace_at;
@@ -37,6 +38,8 @@ pub enum Command {
     Trace(Box<trace::Args>),
     /// Run N local machines that exchange positions and compare with the global protocol
     Local(Box<local::Args>),
+    /// Run a very large swarm in doubles, with a proved bound of the error
+    Swarm(swarm::Args),
     /// Re-establish the paper's slips by computation, now
     Errata(errata::Args),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
@@ -56,6 +59,7 @@ impl Cli {
         match self.command {
             Command::Trace(args) => trace::run(&args, out),
             Command::Local(args) => local::run(&args, out),
+            Command::Swarm(args) => swarm::run(&args, out),
             Command::Errata(args) => errata::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
             Command::Completions(args) => setup::completions(&args, out),

@@ -51,7 +51,7 @@ impl Line {
     /// # Errors
     /// Fewer than 3 drones, or an end drone that does not start at its end.
     pub fn coverage(p: &Params<Rational>, start: &[Rational]) -> Result<Self> {
-        let (count, stencil) = (start.len(), Stencil::of(&p.eps));
+        let count = start.len();
         let (Some(first), Some(last)) = (start.first(), start.last()) else {
             return Err(too_few(count));
         };
@@ -66,21 +66,11 @@ impl Line {
                 )));
             }
         }
-        let w = &stencil.internal;
-        let ends_stay = [(&stencil.first, 0), (&stencil.last, 1)].iter().all(|(w, end)| {
-            w.as_array().iter().enumerate().all(|(input, weight)| {
-                if input == *end { **weight == stencil.den } else { weight.is_zero() }
-            })
-        });
-        let symmetric = w.prec == w.foll && w.min.is_zero() && w.max.is_zero();
-        let keeps_lines = &w.prec + &w.own + &w.foll == stencil.den;
-        if !(ends_stay && symmetric && keeps_lines) {
-            return Err(not_a_line());
-        }
         let gaps = Rational::from_index(count - 1);
         let rest: Vec<Rational> =
             (0..count).map(|i| scaled_target(&p.min, &p.max, count, i) / &gaps).collect();
-        Ok(Self::assemble(Ends::Fixed, w.prec.clone(), w.own.clone(), stencil.den, &rest, start))
+        let Weights { side, centre, den } = Weights::of(&p.eps)?;
+        Ok(Self::assemble(Ends::Fixed, side, centre, den, &rest, start))
     }
 
     /// Consensus (equation 6) on the path of all drones, from `start`.
@@ -148,6 +138,41 @@ impl Line {
     /// The sum of the absolute weights: no placement grows faster than by this factor a step.
     pub fn growth(&self) -> BigInt {
         self.side.abs() * 2 + self.centre.abs()
+    }
+}
+
+/// The weights of the coverage protocol's internal drones over a common denominator.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Weights {
+    /// Of each neighbour.
+    pub side: BigInt,
+    /// Of the drone itself.
+    pub centre: BigInt,
+    /// The denominator, positive.
+    pub den: BigInt,
+}
+
+impl Weights {
+    /// Reads the weights off the spec, and that the end drones stay at the ends, both
+    /// neighbours count alike and all weights sum to 1.
+    ///
+    /// # Errors
+    /// A spec of which that is not so.
+    pub fn of(eps: &Rational) -> Result<Self> {
+        let stencil = Stencil::of(eps);
+        let w = &stencil.internal;
+        let ends_stay = [(&stencil.first, 0), (&stencil.last, 1)].iter().all(|(w, end)| {
+            w.as_array().iter().enumerate().all(|(input, weight)| {
+                if input == *end { **weight == stencil.den } else { weight.is_zero() }
+            })
+        });
+        let symmetric = w.prec == w.foll && w.min.is_zero() && w.max.is_zero();
+        let keeps_lines = &w.prec + &w.own + &w.foll == stencil.den;
+        if !(ends_stay && symmetric && keeps_lines) {
+            return Err(not_a_line());
+        }
+        let (side, centre) = (w.prec.clone(), w.own.clone());
+        Ok(Self { side, centre, den: stencil.den })
     }
 }
 

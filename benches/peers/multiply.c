@@ -20,9 +20,9 @@ int main(int argc, char **argv)
     mpz_urandomb(b, random, atol(argv[1]));
     for (int round = 0; round < 5; round++) {
         struct timespec t, u;
-        clock_gettime(CLOCK_MONOTONIC, &t);
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
         mpz_mul(c, a, b);
-        clock_gettime(CLOCK_MONOTONIC, &u);
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &u);
         double seconds = u.tv_sec - t.tv_sec + (u.tv_nsec - t.tv_nsec) * 1e-9;
         if (seconds < best)
             best = seconds;

@@ -20,7 +20,7 @@
        (next (make-array count)))
   (dotimes (i count)
     (setf (aref x i) (if (= i (1- count)) 100 (/ (* 40 i) (1- count)))))
-  (let ((begun (get-internal-real-time)))
+  (let ((begun (get-internal-run-time)))
     (dotimes (k steps)
       (setf (aref next 0) (aref x 0)
             (aref next (1- count)) (aref x (1- count)))
@@ -30,7 +30,7 @@
                         (* (- 1 (* 2 eps)) (aref x i))
                         (* eps (aref x (1+ i))))))
       (rotatef x next))
-    (let ((seconds (/ (- (get-internal-real-time) begun) internal-time-units-per-second))
+    (let ((seconds (/ (- (get-internal-run-time) begun) internal-time-units-per-second))
           (h 0))
       (loop for value across x
             do (setf h (mod (+ (* h 1000003) (residue value)) +prime+)))

@@ -3,7 +3,7 @@
 # checks that their results are the same, and prints the tables in Markdown on stdout.
 #
 # Peers: Python 3 (also runs the comparison), FLINT and GMP (Debian: libflint-dev, libgmp-dev),
-# SBCL. Set PEERS_LIMIT for another time limit of a run than 30 s, GMP=no to leave out the
+# SBCL. Set PEERS_LIMIT for another time limit of a run than 60 s, GMP=no to leave out the
 # feature `gmp` (which builds GMP from source).
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)

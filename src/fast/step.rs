@@ -172,9 +172,8 @@ fn fused<const UNIT: bool>(
     (side, side_mask): (u64, u64),
     (centre, centre_mask): (u64, u64),
 ) {
-    let complements =
-        ((u128::from(side) * 2) & wide(side_mask)) + (u128::from(centre) & wide(centre_mask));
-    let mut carry = complements;
+    // Below 3 * 2^62.
+    let mut carry = ((side * 2) & side_mask) + (centre & centre_mask);
     let neighbours = before.iter().zip(after);
     for ((x, &b), (&a, &c)) in into.iter_mut().zip(own).zip(neighbours) {
         // Weights are below 2^62: 2^62 * 2^65 + 2^62 * 2^64 + carry is below 2^128.
@@ -183,13 +182,8 @@ fn fused<const UNIT: bool>(
         } else {
             u128::from(side) * (u128::from(a ^ side_mask) + u128::from(c ^ side_mask))
         };
-        let sum = pair + u128::from(centre) * u128::from(b ^ centre_mask) + carry;
+        let sum = pair + u128::from(centre) * u128::from(b ^ centre_mask) + u128::from(carry);
         *x = sum as u64;
-        carry = sum >> 64;
+        carry = (sum >> 64) as u64;
     }
-}
-
-/// A limb mask over 128 bits.
-fn wide(mask: u64) -> u128 {
-    u128::from(mask) << 64 | u128::from(mask)
 }

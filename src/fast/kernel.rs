@@ -202,8 +202,7 @@ impl Kernel {
         let half_length = stride * (self.half + 1);
         // Free the old coefficients before the product needs memory.
         self.coefficients = Vec::new();
-        let product = by.square(limbs::trimmed(&packed));
-        drop(packed);
+        let product = by.square(packed);
         let mut next = vec![0; half_length];
         let mut palindrome = Palindrome::new(&product, slot, 4 * degree);
         for below in (0..=2 * degree).rev() {

@@ -11,10 +11,9 @@ pub trait Multiply: Sync {
     /// `a * b`; high limbs that are 0 may be missing.
     fn product(&self, a: &[u64], b: &[u64]) -> Vec<u64>;
 
-    /// `a * a`; high limbs that are 0 may be missing.
-    fn square(&self, a: &[u64]) -> Vec<u64> {
-        self.product(a, a)
-    }
+    /// `a * a`; high limbs that are 0 may be missing. Takes `a`, so that its memory can be
+    /// given back before the product needs it.
+    fn square(&self, a: Vec<u64>) -> Vec<u64>;
 }
 
 /// `num-bigint`: schoolbook, Karatsuba and Toom-3.
@@ -30,8 +29,8 @@ impl Multiply for NumBigint {
         (natural(a) * natural(b)).iter_u64_digits().collect()
     }
 
-    fn square(&self, a: &[u64]) -> Vec<u64> {
-        let a = natural(a);
+    fn square(&self, a: Vec<u64>) -> Vec<u64> {
+        let a = natural(&a);
         (&a * &a).iter_u64_digits().collect()
     }
 }
@@ -52,8 +51,8 @@ impl Multiply for Gmp {
         gmp_limbs(&rug::Integer::from(&a * &b))
     }
 
-    fn square(&self, a: &[u64]) -> Vec<u64> {
-        let a = rug::Integer::from_digits(a, rug::integer::Order::Lsf);
+    fn square(&self, a: Vec<u64>) -> Vec<u64> {
+        let a = rug::Integer::from_digits(&a, rug::integer::Order::Lsf);
         gmp_limbs(&rug::Integer::from(a.square_ref()))
     }
 }

@@ -34,11 +34,11 @@ impl Multiply for Ntt {
         if a.len().min(b.len()) < SHORTEST || a.len() + b.len() > LONGEST {
             return NumBigint.product(a, b);
         }
-        multiply(a, Some(b))
+        multiply(a.to_vec(), Some(b))
     }
 
-    fn square(&self, a: &[u64]) -> Vec<u64> {
-        let a = limbs::trimmed(a);
+    fn square(&self, mut a: Vec<u64>) -> Vec<u64> {
+        a.truncate(limbs::trimmed(&a).len());
         if a.len() < SHORTEST || 2 * a.len() > LONGEST {
             return NumBigint.square(a);
         }
@@ -157,13 +157,13 @@ impl Field {
     /// The twiddle factors of nodes 0 .. count of every depth: entry b is the square root of
     /// what node b reduces by, `root^(bits of b reversed)`; of the inverse roots if `inverse`.
     fn twiddles(self, count: usize, inverse: bool) -> Vec<Factor> {
-        let mut table = Vec::with_capacity(count.next_power_of_two());
+        let mut table = Vec::with_capacity(count);
         table.push(self.factor(1));
         let mut depth = 2;
         while table.len() < count {
             let root = self.root(depth);
             let root = self.factor(if inverse { self.inverse(root) } else { root });
-            for b in 0..table.len() {
+            for b in 0..table.len().min(count - table.len()) {
                 let next = self.below_p(self.scale(table[b].value, root));
                 table.push(self.factor(next));
             }
@@ -194,9 +194,10 @@ impl Transform {
         Self { field, length, three: !length.is_power_of_two() }
     }
 
-    /// How many twiddle factors its tree has.
+    /// How many twiddle factors its tree has: half its leaves, and what the first pass of a
+    /// length of 3*2^a needs.
     fn nodes(&self) -> usize {
-        self.length.next_power_of_two() / 2
+        (self.length / 2).max(2)
     }
 
     /// The values of a polynomial at the leaves; residues below 4p before and after.
@@ -302,27 +303,29 @@ impl Transform {
     }
 }
 
-/// The coefficients of the product modulo one prime, below p. `b` is `a` where it is `None`.
-fn residues(field: Field, length: usize, a: &[u64], b: Option<&[u64]>) -> Vec<u64> {
+/// The limbs as residues below 2p, followed by zeros.
+fn spread(field: Field, length: usize, from: &[u64]) -> Vec<u64> {
+    let mut x = Vec::with_capacity(length);
+    x.extend(from.iter().map(|&limb| field.reduce(limb)));
+    x.resize(length, 0);
+    x
+}
+
+/// The coefficients of the product modulo one prime, below p, from its factors [`spread`]; the
+/// square of x where y is `None`.
+fn residues(field: Field, mut x: Vec<u64>, y: Option<Vec<u64>>) -> Vec<u64> {
+    let length = x.len();
     let transform = Transform::new(field, length);
-    let spread = |from: &[u64]| {
-        let mut x = Vec::with_capacity(length);
-        x.extend(from.iter().map(|&limb| field.reduce(limb)));
-        x.resize(length, 0);
-        x
-    };
     let table = field.twiddles(transform.nodes(), false);
-    let mut x = spread(a);
     transform.forward(&mut x, &table);
-    match b {
+    match y {
         None => {
             for v in &mut x {
                 let w = field.below_2p(*v);
                 *v = field.montgomery(w, w);
             }
         }
-        Some(b) => {
-            let mut y = spread(b);
+        Some(mut y) => {
             transform.forward(&mut y, &table);
             for (v, w) in x.iter_mut().zip(y) {
                 *v = field.montgomery(field.below_2p(*v), field.below_2p(w));
@@ -342,10 +345,23 @@ fn residues(field: Field, length: usize, a: &[u64], b: Option<&[u64]>) -> Vec<u6
 }
 
 /// `a*b`, or `a*a` where `b` is `None`; both nonempty.
-fn multiply(a: &[u64], b: Option<&[u64]>) -> Vec<u64> {
+fn multiply(a: Vec<u64>, b: Option<&[u64]>) -> Vec<u64> {
     let limbs = a.len() + b.map_or(a.len(), <[u64]>::len);
     let length = transform_length(limbs);
-    let [mut first, second, third] = FIELDS.map(|f| residues(f, length, a, b));
+    let one = |f: Field, x: Vec<u64>| {
+        let mut x = residues(f, x, b.map(|b| spread(f, length, b)));
+        // The rest is 0, and its memory is wanted.
+        x.truncate(limbs);
+        x.shrink_to_fit();
+        x
+    };
+    let mut first = one(FIELDS[0], spread(FIELDS[0], length, &a));
+    let second = one(FIELDS[1], spread(FIELDS[1], length, &a));
+    // The factor is not needed any more: at the peak there are two sets of residues, and a
+    // transform with its table of the same size.
+    let last = spread(FIELDS[2], length, &a);
+    drop(a);
+    let third = one(FIELDS[2], last);
     let [f1, f2, f3] = FIELDS;
     // Garner: coefficient = x1 + p1*(x2 + p2*x3), each digit from the remainders so far.
     let (over_p1, over_p1_p2) = (
@@ -372,7 +388,6 @@ fn multiply(a: &[u64], b: Option<&[u64]>) -> Vec<u64> {
         *r1 = sum as u64;
         carry = (sum >> 64) + high_part + (overs << 64);
     }
-    first.truncate(limbs);
     first
 }
 
@@ -400,13 +415,17 @@ mod tests {
             let all_ones = vec![u64::MAX; n];
             let (a, b) = (random(n, 88172645463325252), random(n.div_ceil(3), 12345));
             for (x, y) in [(&a, &b), (&all_ones, &a), (&all_ones, &all_ones)] {
-                let got = limbs::natural(&multiply(x, Some(y)));
+                let got = limbs::natural(&multiply(x.clone(), Some(y)));
                 assert_eq!(got, limbs::natural(&NumBigint.product(x, y)), "{n} limbs");
                 lengths.insert(transform_length(x.len() + y.len()));
             }
             for x in [&a, &all_ones] {
-                let got = limbs::natural(&multiply(x, None));
-                assert_eq!(got, limbs::natural(&NumBigint.square(x)), "square of {n} limbs");
+                let got = limbs::natural(&multiply(x.clone(), None));
+                assert_eq!(
+                    got,
+                    limbs::natural(&NumBigint.square(x.clone())),
+                    "square of {n} limbs"
+                );
             }
         }
         assert!(lengths.iter().any(|l| l.is_power_of_two() && *l > 2 * BLOCK));

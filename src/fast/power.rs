@@ -14,7 +14,7 @@ pub fn natural(base: &BigUint, k: u64, by: &dyn Multiply) -> BigUint {
     let small = base.to_u64_digits();
     let mut power = small.clone();
     for bit in (0..k.ilog2()).rev() {
-        power = by.square(limbs::trimmed(&power));
+        power = by.square(power);
         if k >> bit & 1 == 1 {
             let mut next = vec![0; power.len() + small.len()];
             limbs::accumulate(&mut next, &power, &small, false);

@@ -16,6 +16,7 @@ pub mod scenario;
 pub mod simulate;
 pub mod stencil;
 pub mod swarm;
+pub mod sweep;
 pub mod trace;
 
 pub use error::{Error, Outcome, Result};

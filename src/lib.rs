@@ -11,6 +11,7 @@ pub mod exact;
 pub mod fast;
 pub mod files;
 pub mod projection;
+pub mod random;
 pub mod scalar;
 pub mod scenario;
 pub mod simulate;

@@ -8,6 +8,7 @@ use std::hash::{BuildHasher, Hasher, RandomState};
 
 use super::answer::Answer;
 use super::rule::Rule;
+use crate::random::SplitMix;
 use crate::scalar::{Modulus, Residue};
 use crate::{Error, Rational, Result};
 
@@ -86,9 +87,9 @@ pub fn verify(
         log2_chance: chance(rule, start, answers, primes)?,
         disagreement: None,
     };
-    let mut random = SplitMix(seed);
+    let mut random = SplitMix::new(seed);
     while found.primes.len() < primes {
-        let p = random.prime();
+        let p = random_prime(&mut random);
         let Some((rule, start, wanted)) = images(p, rule, start, &ordered) else {
             // p divides a denominator, which almost no prime of this size does.
             continue;
@@ -148,25 +149,12 @@ fn chance(
     Ok(worst)
 }
 
-/// The SplitMix64 generator (G. Steele, D. Lea, C. Flood): a stream from a named seed.
-struct SplitMix(u64);
-
-impl SplitMix {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// A prime from 2^60 to 2^61, each with the same chance.
-    fn prime(&mut self) -> Modulus {
-        loop {
-            let candidate = 1 << 60 | self.next() >> 4 | 1;
-            if let Some(p) = Modulus::new(candidate) {
-                return p;
-            }
+/// A prime from 2^60 to 2^61, each with the same chance.
+fn random_prime(random: &mut SplitMix) -> Modulus {
+    loop {
+        let candidate = 1 << 60 | random.bits() >> 4 | 1;
+        if let Some(p) = Modulus::new(candidate) {
+            return p;
         }
     }
 }

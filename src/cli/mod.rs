@@ -13,11 +13,13 @@ pub mod scenario_args;
 pub mod select;
 mod settle;
 mod setup;
+mod swarm;
 mod sweep;
 mod table;
 mod theorems;
 mod threshold;
 mod trace;
+mod trace_at;
 
 use std::io::Write;
 
@@ -49,6 +51,8 @@ pub enum Command {
     Trace(Box<trace::Args>),
     /// Run N local machines that exchange positions and compare with the global protocol
     Local(Box<local::Args>),
+    /// Run a very large swarm in doubles, with a proved bound of the error
+    Swarm(swarm::Args),
     /// Re-establish the paper's slips by computation, now
     Errata(errata::Args),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
@@ -78,6 +82,7 @@ impl Cli {
             Command::Settle(args) => settle::run(&args, out),
             Command::Trace(args) => trace::run(&args, out),
             Command::Local(args) => local::run(&args, out),
+            Command::Swarm(args) => swarm::run(&args, out),
             Command::Errata(args) => errata::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
             Command::Prove(args) => prove::run(&args, out),

@@ -6,6 +6,8 @@
 //! start to finish) and a hash of the positions that does not depend on their denominators.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use std::time::Instant;
+
 use cordon::Rational;
 use cordon::fast::multiply::{Multiply, NumBigint};
 use cordon::fast::ntt::Ntt;
@@ -26,13 +28,15 @@ fn main() {
     let place = |i| if i + 1 == count { ratio(100, 1) } else { ratio(40 * i, count - 1) };
     let start: Vec<_> = (0..count).map(place).collect();
     let p = Params { min: ratio(0, 1), max: ratio(100, 1), eps: ratio(1, 5), n: 0 };
-    let begun = cpu_seconds();
+    let (begun, clock) = (cpu_seconds(), Instant::now());
     let line = Line::coverage(&p, &start).unwrap();
     let answers = match backend(engine) {
         Some(by) => jump::at(&line, &[k], by),
         None => step::at(&line, &[k]),
     };
-    let seconds = cpu_seconds() - begun;
+    // The scheduler's count is some milliseconds coarse: short runs go by the clock.
+    let (cpu, wall) = (cpu_seconds() - begun, clock.elapsed().as_secs_f64());
+    let seconds = if wall < 0.05 { wall } else { cpu };
     let [answer] = answers.unwrap().try_into().unwrap();
     println!("{seconds:.6} {:015x} {}", hash(&answer), answer.bits());
 }

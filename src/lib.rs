@@ -7,6 +7,7 @@
 pub mod cli;
 pub mod error;
 pub mod exact;
+pub mod export;
 pub mod files;
 pub mod scalar;
 

@@ -2,6 +2,7 @@
 //!
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
+mod export;
 pub mod select;
 mod theorems;
 
@@ -29,6 +30,8 @@ const EXIT_CODES: &str = "Exit codes: 0 holds or done, 1 refuted, 2 bad usage or
 pub enum Command {
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
+    /// Write the protocol and its theorems for other tools
+    Export(export::Args),
 }
 
 impl Cli {
@@ -39,6 +42,7 @@ impl Cli {
     pub fn run(self, out: &mut dyn Write) -> Result<Outcome> {
         match self.command {
             Command::Theorems(args) => theorems::run(&args, out),
+            Command::Export(args) => export::run(&args, out),
         }
     }
 }

@@ -5,11 +5,16 @@
 //! command line ([`cli`]) is a thin face over them.
 
 pub mod cli;
+pub mod errata;
 pub mod error;
 pub mod exact;
 pub mod export;
 pub mod files;
+pub mod projection;
 pub mod scalar;
+pub mod scenario;
+pub mod simulate;
+pub mod trace;
 
 pub use error::{Error, Outcome, Result};
 pub use exact::Rational;

@@ -51,11 +51,13 @@ pub(crate) fn update<'s, S: Scalar + 's>(
 #[cfg_attr(feature = "contracts", ensures(result.timesteps == s.timesteps))]
 #[cfg_attr(feature = "contracts", ensures(result.drones.as_ref()@.len() == s.drones.as_ref()@.len()))]
 pub fn exec_coverage<S: Scalar, M: DroneMap<S>>(p: &Params<S>, s: &State<M>) -> State<M> {
-    let count = s.drones.count();
-    State {
-        drones: s.drones.lambda(|i| update(p, count, i, |j| getx(s, j))),
-        timesteps: s.timesteps,
-    }
+    State { drones: next_placement(p, &s.drones), timesteps: s.timesteps }
+}
+
+/// The `LAMBDA (i: drone_id)` of Listing 4: the next position of every drone.
+fn next_placement<S: Scalar, M: DroneMap<S>>(p: &Params<S>, drones: &M) -> M {
+    let x = drones.as_ref();
+    drones.lambda(|i| update(p, x.len(), i, |j| &x[j]))
 }
 
 /// One tick: a protocol step when the counter has reached `n`, otherwise only the counter
@@ -65,12 +67,7 @@ pub fn exec_coverage<S: Scalar, M: DroneMap<S>>(p: &Params<S>, s: &State<M>) -> 
 #[cfg_attr(feature = "contracts", ensures(s.timesteps == p.n ==> result.timesteps@ == 0))]
 #[cfg_attr(feature = "contracts", ensures(s.timesteps < p.n ==> result.timesteps@ == s.timesteps@ + 1))]
 pub fn tick<S: Scalar, M: DroneMap<S>>(p: &Params<S>, s: State<M>) -> State<M> {
-    if s.timesteps == p.n {
-        State { timesteps: 0, ..exec_coverage(p, &s) }
-    } else {
-        // Never saturates: below n there is room for one more. Total all the same.
-        State { timesteps: s.timesteps.saturating_add(1), ..s }
-    }
+    s.tick_with(p.n, |drones| next_placement(p, drones))
 }
 
 /// `tick` applied `k` times to `initial` (Listing 4, `kth_step`; iterated where the paper

@@ -23,6 +23,11 @@ pub struct TickRatio {
 }
 
 impl TickRatio {
+    /// The whole number `num`.
+    pub fn whole(num: u32) -> Self {
+        Self { num, den: NonZeroU32::MIN }
+    }
+
     /// Whether `timesteps >= num/den`, decided on integers.
     pub fn reached_by(self, timesteps: u32) -> bool {
         u64::from(timesteps) * u64::from(self.den.get()) >= u64::from(self.num)

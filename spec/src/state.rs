@@ -43,4 +43,16 @@ impl<M> State<M> {
         };
         Self { drones, timesteps }
     }
+
+    /// One tick of any protocol: `protocol` moves the drones when the counter has reached `n`,
+    /// otherwise only the counter moves (Listing 4, `tick`, with the protocol left open as in
+    /// Listing 2).
+    pub fn tick_with(self, n: u32, protocol: impl FnOnce(&M) -> M) -> Self {
+        if self.timesteps == n {
+            Self { drones: protocol(&self.drones), timesteps: 0 }
+        } else {
+            // Never saturates: below n there is room for one more. Total all the same.
+            Self { timesteps: self.timesteps.saturating_add(1), ..self }
+        }
+    }
 }

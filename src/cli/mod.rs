@@ -2,9 +2,14 @@
 //!
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
+mod errata;
 mod export;
+mod local;
+pub mod scenario_args;
 pub mod select;
+mod setup;
 mod theorems;
+mod trace;
 
 use std::io::Write;
 
@@ -28,8 +33,18 @@ const EXIT_CODES: &str = "Exit codes: 0 holds or done, 1 refuted, 2 bad usage or
 /// The commands.
 #[derive(Subcommand, Debug)]
 pub enum Command {
+    /// Print the trace of a scenario: the placement after every protocol step or tick
+    Trace(Box<trace::Args>),
+    /// Run N local machines that exchange positions and compare with the global protocol
+    Local(Box<local::Args>),
+    /// Re-establish the paper's slips by computation, now
+    Errata(errata::Args),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
+    /// Print a completion script for a shell
+    Completions(setup::Args),
+    /// Print the manual page (roff; read it with `cordon man | man -l -`)
+    Man,
     /// Write the protocol and its theorems for other tools
     Export(export::Args),
 }
@@ -41,7 +56,12 @@ impl Cli {
     /// Bad input, or a file or stream that cannot be read or written.
     pub fn run(self, out: &mut dyn Write) -> Result<Outcome> {
         match self.command {
+            Command::Trace(args) => trace::run(&args, out),
+            Command::Local(args) => local::run(&args, out),
+            Command::Errata(args) => errata::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
+            Command::Completions(args) => setup::completions(&args, out),
+            Command::Man => setup::man(out),
             Command::Export(args) => export::run(&args, out),
         }
     }

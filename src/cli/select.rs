@@ -1,6 +1,6 @@
 //! Arguments that several commands share.
 
-use cordon_spec::theorems::Theorem;
+use cordon_spec::theorems::{Form, Theorem};
 
 use crate::{Error, Result};
 
@@ -41,4 +41,22 @@ pub fn theorems_named(list: &str) -> Result<Vec<Theorem>> {
     named.sort_unstable();
     named.dedup();
     Ok(named)
+}
+
+/// A form of a theorem, as a flag.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FormArg {
+    /// As printed.
+    Paper,
+    /// Under the weakest known hypothesis.
+    Sharp,
+}
+
+impl From<FormArg> for Form {
+    fn from(form: FormArg) -> Self {
+        match form {
+            FormArg::Paper => Self::Paper,
+            FormArg::Sharp => Self::Sharp,
+        }
+    }
 }

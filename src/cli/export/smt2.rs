@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use cordon_spec::theorems::{Form, Subject};
 
+use super::super::select::FormArg;
+
 use crate::export::claim::Claim;
 use crate::export::smt_model::{Answer, Model, Replay, read_answer, replay};
 use crate::export::smt2::{
@@ -27,8 +29,8 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value = "3..6")]
     pub drones: String,
     /// Which reading of the theorems
-    #[arg(long, value_enum, default_value_t = FormChoice::Sharp)]
-    pub form: FormChoice,
+    #[arg(long, value_enum, default_value_t = FormArg::Sharp)]
+    pub form: FormArg,
     /// Weights instead of the theorem's: an interval like `(1/2,1]`
     #[arg(long, value_name = "INTERVAL", allow_hyphen_values = true)]
     pub eps_range: Option<String>,
@@ -44,24 +46,6 @@ pub struct Args {
     /// Write to a file [default: stdout]
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
-}
-
-/// Which reading of a theorem.
-#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FormChoice {
-    /// As printed.
-    Paper,
-    /// Under the weakest known hypothesis.
-    Sharp,
-}
-
-impl From<FormChoice> for Form {
-    fn from(choice: FormChoice) -> Self {
-        match choice {
-            FormChoice::Paper => Self::Paper,
-            FormChoice::Sharp => Self::Sharp,
-        }
-    }
 }
 
 /// Exports, or replays an answer.
@@ -209,8 +193,11 @@ fn report(query: &Query, model: &Model, out: &mut dyn Write) -> Result<Outcome> 
             let steps = k + query.claim.span(query.form, query.drones);
             writeln!(
                 out,
-                "replay: cordon trace --min={} --max={} --weight={} --start={start} --steps={steps}",
-                p.min, p.max, p.eps
+                "replay: cordon trace --min={} --max={} --eps={} --start={start} --steps={steps}{}",
+                p.min,
+                p.max,
+                p.eps,
+                check_flags(query)
             )?;
             Ok(Outcome::Refuted)
         }
@@ -218,6 +205,14 @@ fn report(query: &Query, model: &Model, out: &mut dyn Write) -> Result<Outcome> 
             writeln!(out, "the solver's model is no counterexample: {why}")?;
             Ok(Outcome::Inconclusive)
         }
+    }
+}
+
+/// What makes `cordon trace` check the claim, where it is a theorem.
+fn check_flags(query: &Query) -> String {
+    match query.claim {
+        Claim::Theorem(_) => format!(" --check={} --form={}", query.claim, query.form.label()),
+        Claim::Mirror | Claim::Box => String::new(),
     }
 }
 

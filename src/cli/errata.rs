@@ -1,0 +1,63 @@
+//! `cordon errata`.
+
+use std::io::Write;
+
+use serde_json::json;
+
+use super::select::OutputFormat;
+use crate::errata::{self, Erratum, Finding};
+use crate::{Error, Outcome, Result};
+
+/// Arguments of `cordon errata`.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    /// Only these numbers, separated by commas [default: all]
+    #[arg(value_name = "NUMBERS", value_delimiter = ',')]
+    numbers: Vec<u32>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    format: OutputFormat,
+}
+
+/// Establishes the errata and prints them; one that cannot be established is a refutation of
+/// this list.
+pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    let all = errata::all();
+    if let Some(unknown) = args.numbers.iter().find(|n| !all.iter().any(|e| e.number == **n)) {
+        return Err(Error::input(format!(
+            "erratum: `{unknown}` is unknown: expected numbers from 1 to {}",
+            all.len()
+        )));
+    }
+    let wanted = |e: &&Erratum| args.numbers.is_empty() || args.numbers.contains(&e.number);
+    let found: Vec<(&Erratum, Finding)> =
+        all.iter().filter(wanted).map(|e| (e, e.establish())).collect();
+    match args.format {
+        OutputFormat::Text => found.iter().try_for_each(|(e, f)| text(e, f, out))?,
+        OutputFormat::Json => {
+            let list: Vec<_> = found
+                .iter()
+                .map(|(e, f)| {
+                    json!({
+                        "number": e.number,
+                        "place": e.place,
+                        "printed": e.printed,
+                        "established": f.established,
+                        "computed": f.computed,
+                    })
+                })
+                .collect();
+            writeln!(out, "{:#}", json!({ "schema": "cordon-errata/1", "errata": list }))?;
+        }
+    }
+    let established = found.iter().all(|(_, f)| f.established);
+    Ok(if established { Outcome::Holds } else { Outcome::Refuted })
+}
+
+fn text(e: &Erratum, f: &Finding, out: &mut dyn Write) -> Result<()> {
+    let mark = if f.established { "" } else { "NOT ESTABLISHED: " };
+    writeln!(out, "{:>2}. {}", e.number, e.place)?;
+    writeln!(out, "    printed   {}", e.printed)?;
+    writeln!(out, "    computed  {mark}{}", f.computed)?;
+    Ok(())
+}

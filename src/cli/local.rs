@@ -1,0 +1,138 @@
+//! `cordon local`.
+
+use std::io::Write;
+use std::num::NonZeroU32;
+
+use comfy_table::{CellAlignment, Table, presets};
+use cordon_spec::local::TickRatio;
+use num_traits::ToPrimitive;
+use serde_json::json;
+
+use super::scenario_args::ScenarioArgs;
+use super::select::OutputFormat;
+use crate::exact;
+use crate::projection::{self, Pair, Setup};
+use crate::{Error, Outcome, Result};
+
+/// Arguments of `cordon local`.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    #[command(flatten)]
+    scenario: ScenarioArgs,
+    /// Ticks to run [default: up to the scenario's last protocol step]
+    #[arg(long, value_name = "K")]
+    ticks: Option<u64>,
+    /// Ticks from exchange to exchange of positions; the theorem is about 1
+    #[arg(long, value_name = "TICKS", default_value_t = 1)]
+    exchange_every: u64,
+    /// Quotient eps/stepsize that the local machines count against, e.g. 7/2 [default: period - 1]
+    #[arg(long, value_name = "P/Q")]
+    ratio: Option<String>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    format: OutputFormat,
+    /// Decimal places, rounded half to even
+    #[arg(long, value_name = "D", default_value_t = 4)]
+    digits: usize,
+}
+
+/// Most ticks: every tick is a row.
+const MAX_TICKS: u64 = 100_000;
+
+/// Runs the local machines beside the global protocol and compares.
+pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    let scenario = args.scenario.scenario()?;
+    let last = scenario.tick_of_step(scenario.steps).unwrap_or(0);
+    let setup = Setup {
+        ticks: args.ticks.unwrap_or(last),
+        exchange_every: args.exchange_every,
+        ratio: args.ratio.as_deref().map(ratio).transpose()?,
+    };
+    if setup.ticks > MAX_TICKS {
+        return Err(Error::input(format!(
+            "ticks: `{}`: expected at most {MAX_TICKS}",
+            setup.ticks
+        )));
+    }
+    let pairs = projection::run(&scenario, setup)?;
+    let different = pairs.iter().find_map(|p| p.difference().map(|i| (p, i)));
+    match args.format {
+        OutputFormat::Text => {
+            text(&pairs, args.digits, out)?;
+            writeln!(out, "\n{}", verdict(&pairs, different))?;
+        }
+        OutputFormat::Json => {
+            let difference = different.map(|(p, i)| {
+                json!({
+                    "tick": p.tick,
+                    "drone": i,
+                    "local": p.local.get(i).map(exact::fraction),
+                    "global": p.global.get(i).map(exact::fraction),
+                })
+            });
+            let page = json!({
+                "schema": "cordon-local/1",
+                "drones": scenario.count(),
+                "ticks": setup.ticks,
+                "evidence": "this run only",
+                "equal": different.is_none(),
+                "first_difference": difference,
+            });
+            writeln!(out, "{page:#}")?;
+        }
+    }
+    Ok(if different.is_some() { Outcome::Refuted } else { Outcome::Holds })
+}
+
+fn ratio(text: &str) -> Result<TickRatio> {
+    let quotient = exact::parse("ratio", text)?;
+    let num = quotient.numer().to_u32();
+    let den = quotient.denom().to_u32().and_then(NonZeroU32::new);
+    match num.zip(den) {
+        Some((num, den)) => Ok(TickRatio { num, den }),
+        None => Err(Error::input(format!(
+            "ratio: `{text}`: expected a quotient of numbers from 0 to {}",
+            u32::MAX
+        ))),
+    }
+}
+
+fn text(pairs: &[Pair], digits: usize, out: &mut dyn Write) -> Result<()> {
+    let mut table = Table::new();
+    table.load_preset(presets::NOTHING);
+    let count = pairs.first().map_or(0, |p| p.local.len());
+    let mut head = vec!["tick".to_owned()];
+    head.extend((0..count).map(|i| format!("x{i}")));
+    head.push("global".to_owned());
+    table.set_header(head);
+    for p in pairs {
+        let mut cells = vec![p.tick.to_string()];
+        cells.extend(p.local.iter().map(|x| exact::decimal_string(x, digits)));
+        cells.push(p.difference().map_or("equal".to_owned(), |i| format!("differs at x{i}")));
+        table.add_row(cells);
+    }
+    for column in table.column_iter_mut() {
+        column.set_cell_alignment(CellAlignment::Right);
+        column.set_padding((0, 2));
+    }
+    for line in table.lines() {
+        writeln!(out, "{}", line.trim_end())?;
+    }
+    Ok(())
+}
+
+fn verdict(pairs: &[Pair], different: Option<(&Pair, usize)>) -> String {
+    let machines = pairs.first().map_or(0, |p| p.local.len());
+    match different.and_then(|(p, i)| Some((p.tick, i, p.local.get(i)?, p.global.get(i)?))) {
+        Some((tick, i, local, global)) => {
+            format!("first difference at tick {tick}, drone {i}: local {local}, global {global}")
+        }
+        None => {
+            let ticks = pairs.len().saturating_sub(1);
+            format!(
+                "{machines} local machines compute the global kth_step exactly, at the start and \
+                 after each of {ticks} ticks (this run only)"
+            )
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! The flags that describe a scenario.
+
+use std::path::PathBuf;
+
+use cordon_spec::Phase;
+
+use crate::exact::{self, Rational};
+use crate::scenario::{self, Draft, Scenario, Start};
+use crate::{Error, Result};
+
+/// A scenario file, flags, or a file with flags in place of some of its fields.
+#[derive(clap::Args, Clone, Debug, Default)]
+pub struct ScenarioArgs {
+    /// Scenario file (TOML), see `scenarios/`; flags replace its fields
+    #[arg(value_name = "SCENARIO")]
+    pub file: Option<PathBuf>,
+    /// Number of drones, 3 or more [default: the length of the start]
+    #[arg(long, value_name = "N", help_heading = "Scenario")]
+    pub drones: Option<usize>,
+    /// Start: positions separated by commas (0,10,20,30,100), fractions and decimals allowed
+    #[arg(long, value_name = "X,...", allow_hyphen_values = true, help_heading = "Scenario")]
+    pub start: Option<String>,
+    /// Start: drone i at min + i*(TO - min)/(N-1), the last drone at max
+    #[arg(
+        long,
+        value_name = "TO",
+        allow_hyphen_values = true,
+        conflicts_with = "start",
+        help_heading = "Scenario"
+    )]
+    pub spread_to: Option<String>,
+    /// Left end of the segment [default: the first position]
+    #[arg(long, value_name = "X", allow_hyphen_values = true, help_heading = "Scenario")]
+    pub min: Option<String>,
+    /// Right end of the segment [default: the last position]
+    #[arg(long, value_name = "X", allow_hyphen_values = true, help_heading = "Scenario")]
+    pub max: Option<String>,
+    /// Weight of the neighbours in the update: a fraction or a decimal, read exactly (0.2 is 1/5)
+    #[arg(long, value_name = "E", allow_hyphen_values = true, help_heading = "Scenario")]
+    pub eps: Option<String>,
+    /// coverage, consensus or formation [default: coverage]
+    #[arg(long, value_name = "NAME", help_heading = "Scenario")]
+    pub protocol: Option<String>,
+    /// Graph of consensus and formation: path, ring or complete [default: path]
+    #[arg(long, value_name = "NAME", help_heading = "Scenario")]
+    pub graph: Option<String>,
+    /// Ticks from update to update [default: 1]
+    #[arg(long, value_name = "TICKS", help_heading = "Scenario")]
+    pub period: Option<u32>,
+    /// Tick of the first update: first (tick 1) or last (tick `period`) [default: first]
+    #[arg(long, value_name = "PHASE", help_heading = "Scenario")]
+    pub phase: Option<String>,
+    /// Seconds a tick
+    #[arg(long, value_name = "SECONDS", help_heading = "Scenario")]
+    pub tau: Option<String>,
+}
+
+impl ScenarioArgs {
+    /// The checked scenario.
+    ///
+    /// # Errors
+    /// The file cannot be read or a field is wrong.
+    pub fn scenario(&self) -> Result<Scenario> {
+        let file = match &self.file {
+            Some(path) => scenario::read(path)?,
+            None => Draft::default(),
+        };
+        let in_file = |e: Error| match (&self.file, e) {
+            (Some(path), Error::Input(message)) => {
+                Error::input(format!("{}: {message}", path.display()))
+            }
+            (_, e) => e,
+        };
+        let flags = self.draft()?;
+        file.replaced_by(flags).finish().map_err(in_file)
+    }
+
+    fn draft(&self) -> Result<Draft> {
+        let number = |field: &str, text: &Option<String>| {
+            text.as_deref().map(|t| exact::parse(field, t)).transpose()
+        };
+        let start = match (&self.start, number("spread-to", &self.spread_to)?) {
+            (Some(list), _) => Some(Start::Listed(positions(list)?)),
+            (None, to) => to.map(Start::SpreadTo),
+        };
+        Ok(Draft {
+            protocol: self.protocol.clone(),
+            min: number("min", &self.min)?,
+            max: number("max", &self.max)?,
+            drones: self.drones,
+            start,
+            weight: number("eps", &self.eps)?,
+            period: self.period,
+            phase: self.phase.as_deref().map(phase).transpose()?,
+            tau: number("tau", &self.tau)?,
+            graph: self.graph.clone(),
+            ..Draft::default()
+        })
+    }
+}
+
+fn positions(list: &str) -> Result<Vec<Rational>> {
+    list.split(',')
+        .enumerate()
+        .map(|(i, text)| exact::parse(&format!("start: drone {i}"), text))
+        .collect()
+}
+
+fn phase(text: &str) -> Result<Phase> {
+    match text {
+        "first" => Ok(Phase::First),
+        "last" => Ok(Phase::Last),
+        _ => Err(Error::input(format!("phase: `{text}`: expected `first` or `last`"))),
+    }
+}

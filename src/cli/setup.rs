@@ -1,0 +1,37 @@
+//! `cordon completions` and `cordon man`.
+
+use std::io::Write;
+
+use clap::CommandFactory;
+use clap_complete::Shell;
+
+use super::Cli;
+use crate::{Outcome, Result};
+
+/// Arguments of `cordon completions`.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    /// The shell
+    #[arg(value_enum)]
+    shell: Shell,
+}
+
+/// Prints a completion script.
+pub(super) fn completions(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    // Through a buffer: the generator panics where a write fails.
+    let mut script = Vec::new();
+    clap_complete::generate(args.shell, &mut Cli::command(), "cordon", &mut script);
+    out.write_all(&script)?;
+    Ok(Outcome::Holds)
+}
+
+/// Prints the manual page: that of `cordon`, then those of its commands.
+pub(super) fn man(out: &mut dyn Write) -> Result<Outcome> {
+    let mut command = Cli::command();
+    command.build();
+    clap_mangen::Man::new(command.clone()).render(out)?;
+    for sub in command.get_subcommands().filter(|s| s.get_name() != "help") {
+        clap_mangen::Man::new(sub.clone()).render(out)?;
+    }
+    Ok(Outcome::Holds)
+}

@@ -24,14 +24,19 @@ pub fn stderr_of(args: &[&str], code: i32) -> String {
     String::from_utf8(out.stderr).expect("UTF-8")
 }
 
-/// Whether `tool` answers `--version`. Where it does not, the tier is not run, and says so; with
-/// CORDON_REQUIRE_TOOLS=1 (set in CI) that is a failure.
+/// Whether `tool` answers `--version`. Where it does not, the tier is not run, and says so.
 pub fn has_tool(tool: &str, tier: &str) -> bool {
     let found = Command::new(tool).arg("--version").output().is_ok_and(|o| o.status.success());
     if !found {
-        let required = std::env::var_os("CORDON_REQUIRE_TOOLS").is_some_and(|v| v == "1");
-        assert!(!required, "{tier}: `{tool}` is not on PATH, and CORDON_REQUIRE_TOOLS=1");
-        eprintln!("{tier}: NOT RUN: `{tool}` is not on PATH");
+        missing(tier, tool);
     }
     found
+}
+
+/// Says that a part of a test did not run for want of `what`. With CORDON_REQUIRE_TOOLS=1 (set
+/// in CI) that is a failure.
+pub fn missing(tier: &str, what: &str) {
+    let required = std::env::var_os("CORDON_REQUIRE_TOOLS").is_some_and(|v| v == "1");
+    assert!(!required, "{tier}: `{what}` is missing, and CORDON_REQUIRE_TOOLS=1");
+    eprintln!("{tier}: NOT RUN: `{what}` is missing");
 }

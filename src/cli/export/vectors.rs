@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::PathBuf;
 
-use crate::export::vectors::{json, rocq, tsv, vectors};
+use crate::export::vectors::{json, lean, rocq, tsv, vectors};
 use crate::{Outcome, Result, files};
 
 /// Arguments of `cordon export vectors`.
@@ -22,6 +22,8 @@ pub struct Args {
 pub enum Target {
     /// proofs/rocq/theories/Vectors.v
     Rocq,
+    /// lean-mirror/CordonMirror/Vectors.lean
+    Lean,
     /// proofs/rocq/vectors.tsv: tab-separated values
     Tsv,
     /// JSON, schema cordon-vectors/1
@@ -33,6 +35,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let vectors = vectors();
     let text = match args.to {
         Target::Rocq => rocq(&vectors),
+        Target::Lean => lean(&vectors),
         Target::Tsv => tsv(&vectors),
         Target::Json => json(&vectors),
     };

@@ -150,7 +150,7 @@ fn statements(theorem: Theorem) -> Vec<String> {
                 starts(h.starts),
                 weights(h.weights)
             ),
-            "  rate: THEOREM\n    FORALL (s: systemState, m: nnreal):\n      0 < eps AND eps <= 1/2 AND anchored?(s) AND\n      (FORALL (j: drone_id): abs(err(s, j)) <= m * contraction_weight(j))\n      IMPLIES FORALL (k: nat, i: drone_id):\n        abs(err(placement(s, k), i)) <=\n          expt(1 - 8 * eps / ((N - 1) * (N - 1)), k) * m * contraction_weight(i)\n".to_owned(),
+            "  rate: THEOREM\n    FORALL (s: systemState, m: nnreal):\n      0 < eps AND eps <= 1/2 AND anchored?(s) AND\n      (FORALL (j: drone_id): abs(err(s, j)) <= m * contraction_weight(j))\n      IMPLIES FORALL (k: nat, i: drone_id):\n        abs(err(placement(s, k), i)) <=\n          expt(1 - 8 * eps / (N - 1) / (N - 1), k) * m * contraction_weight(i)\n".to_owned(),
         ],
     }
 }

@@ -5,6 +5,7 @@
 //! inputs; the committed files are generated here, and a test compares the bytes.
 
 mod cases;
+mod lean;
 mod rocq;
 mod show;
 
@@ -16,6 +17,7 @@ use cordon_spec::{DroneMap, Params, Phase, State};
 
 use crate::Rational;
 
+pub use lean::lean;
 pub use rocq::rocq;
 pub use show::{json, tsv};
 

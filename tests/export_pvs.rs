@@ -117,10 +117,8 @@ fn tokens(text: &str) -> Vec<String> {
                 }
             } else {
                 let pairs = ["(#", "#)", "(:", ":)", ":=", "<=", ">=", "/=", "->"];
-                if let Some(&n) = chars.peek() {
-                    if pairs.contains(&format!("{c}{n}").as_str()) {
-                        token.push(chars.next().unwrap());
-                    }
+                if chars.peek().is_some_and(|n| pairs.contains(&format!("{c}{n}").as_str())) {
+                    token.extend(chars.next());
                 }
             }
             out.push(token);

@@ -26,7 +26,7 @@ pub struct Args {
     #[arg(long, value_name = "TICKS", default_value_t = 1)]
     exchange_every: u64,
     /// Quotient eps/stepsize that the local machines count against, e.g. 7/2 [default: period - 1]
-    #[arg(long, value_name = "P/Q")]
+    #[arg(long, value_name = "P/Q", allow_hyphen_values = true)]
     ratio: Option<String>,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]

@@ -51,7 +51,7 @@ pub struct ScenarioArgs {
     #[arg(long, value_name = "PHASE", help_heading = "Scenario")]
     pub phase: Option<String>,
     /// Seconds a tick
-    #[arg(long, value_name = "SECONDS", help_heading = "Scenario")]
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true, help_heading = "Scenario")]
     pub tau: Option<String>,
 }
 

@@ -89,6 +89,9 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let selection =
         Selection { unit, from: args.from, to: args.to.unwrap_or(last), every: args.every };
     let trace = select(&scenario, selection)?;
+    if args.plot && trace.rows.len() < 2 {
+        return Err(Error::input("plot: expected a selection of at least two rows"));
+    }
     let form: Form = args.form.into();
     let checks = match &args.check {
         Some(list) => {

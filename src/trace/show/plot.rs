@@ -4,34 +4,31 @@ use std::io::Write;
 
 use textplots::{Chart, Plot, Shape};
 
+use crate::Result;
 use crate::exact;
-use crate::trace::Trace;
-use crate::{Error, Result};
+use crate::trace::{Row, Trace, Unit};
 
 /// Size of the plot in braille dots: two a column, four a line.
 const WIDTH: u32 = 140;
 const HEIGHT: u32 = 60;
 
-/// Writes one line of dots a drone, positions upward, rows rightward.
+/// Writes one line of dots a drone, positions upward, rows rightward; of fewer than two rows
+/// there is nothing to draw.
 ///
 /// # Errors
-/// Fewer than two rows, or `out` cannot be written.
+/// `out` cannot be written.
 pub fn plot(trace: &Trace<'_>, out: &mut dyn Write) -> Result<()> {
-    let at = |row: &crate::trace::Row| match trace.selection.unit {
-        crate::trace::Unit::Steps => row.step as f32,
-        crate::trace::Unit::Ticks => row.tick as f32,
+    let at = |row: &Row| match trace.selection.unit {
+        Unit::Steps => row.step as f32,
+        Unit::Ticks => row.tick as f32,
     };
-    let (Some(first), Some(last)) = (trace.rows.first(), trace.rows.last()) else {
-        return Err(Error::input("plot: expected at least two rows"));
+    let [first, .., last] = trace.rows.as_slice() else {
+        return Ok(());
     };
-    if first == last {
-        return Err(Error::input("plot: expected at least two rows"));
-    }
     let lines: Vec<Vec<(f32, f32)>> = (0..trace.scenario.count())
         .map(|i| {
-            let point = |row: &crate::trace::Row| {
-                row.positions.get(i).map(|x| (at(row), exact::to_f64(x) as f32))
-            };
+            let point =
+                |row: &Row| row.positions.get(i).map(|x| (at(row), exact::to_f64(x) as f32));
             trace.rows.iter().filter_map(point).collect()
         })
         .collect();

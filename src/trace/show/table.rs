@@ -104,13 +104,13 @@ fn summary(c: &Checked, out: &mut dyn Write) -> Result<()> {
         None if c.met() == 0 => {
             writeln!(
                 out,
-                "\n{number} ({form} form): its premise is met at none of the {steps} steps checked"
+                "{number} ({form} form): its premise is met at none of the {steps} steps checked"
             )?;
         }
         None => {
             writeln!(
                 out,
-                "\n{number} ({form} form) holds at all {steps} steps checked (this run only)"
+                "{number} ({form} form) holds at all {steps} steps checked (this run only)"
             )?;
         }
     }

@@ -14,6 +14,8 @@ pub mod projection;
 pub mod scalar;
 pub mod scenario;
 pub mod simulate;
+pub mod stencil;
+pub mod sweep;
 pub mod trace;
 
 pub use error::{Error, Outcome, Result};

@@ -8,6 +8,7 @@ mod local;
 pub mod scenario_args;
 pub mod select;
 mod setup;
+mod sweep;
 mod theorems;
 mod trace;
 
@@ -41,6 +42,8 @@ pub enum Command {
     Errata(errata::Args),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
+    /// Try theorems on every start of a grid, or decide them for all real starts
+    Sweep(Box<sweep::Args>),
     /// Print a completion script for a shell
     Completions(setup::Args),
     /// Print the manual page (roff; read it with `cordon man | man -l -`)
@@ -60,6 +63,7 @@ impl Cli {
             Command::Local(args) => local::run(&args, out),
             Command::Errata(args) => errata::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
+            Command::Sweep(args) => sweep::run(&args, out),
             Command::Completions(args) => setup::completions(&args, out),
             Command::Man => setup::man(out),
             Command::Export(args) => export::run(&args, out),

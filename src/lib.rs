@@ -11,6 +11,7 @@ pub mod exact;
 pub mod export;
 pub mod files;
 pub mod projection;
+pub mod prove;
 pub mod scalar;
 pub mod scenario;
 pub mod simulate;

@@ -18,6 +18,7 @@ pub mod simulate;
 pub mod stencil;
 pub mod sweep;
 pub mod trace;
+pub mod verify;
 
 pub use error::{Error, Outcome, Result};
 pub use exact::Rational;

@@ -11,6 +11,7 @@ mod setup;
 mod sweep;
 mod theorems;
 mod trace;
+mod verify;
 
 use std::io::Write;
 
@@ -50,6 +51,8 @@ pub enum Command {
     Man,
     /// Write the protocol and its theorems for other tools
     Export(export::Args),
+    /// Show what is known of each theorem: run now, verified by record, or not run
+    Verify(verify::Args),
 }
 
 impl Cli {
@@ -67,6 +70,7 @@ impl Cli {
             Command::Completions(args) => setup::completions(&args, out),
             Command::Man => setup::man(out),
             Command::Export(args) => export::run(&args, out),
+            Command::Verify(args) => verify::run(&args, out),
         }
     }
 }

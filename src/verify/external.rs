@@ -38,7 +38,7 @@ const ROCQ: Tool = Tool {
     program: "./check.sh",
     arguments: &[],
     version: ["coqc", "--version", ""],
-    sources: &["proofs/rocq"],
+    sources: &["spec/src", "proofs/rocq"],
 };
 
 const LEAN: Tool = Tool {
@@ -49,7 +49,7 @@ const LEAN: Tool = Tool {
     program: "lake",
     arguments: &["build"],
     version: ["lake", "--version", ""],
-    sources: &["lean-mirror"],
+    sources: &["spec/src", "lean-mirror"],
 };
 
 const KANI: Tool = Tool {

@@ -294,6 +294,15 @@ fn writes_files_whole() {
     assert_eq!(shown, "");
     let text = std::fs::read_to_string(&path).unwrap();
     assert_eq!(text, stdout_of(&["export", "smt2", "7.3"]));
+    #[cfg(unix)]
+    {
+        // As open as any other file that the user writes.
+        use std::os::unix::fs::PermissionsExt;
+        let plain = dir.path().join("plain");
+        std::fs::write(&plain, "").unwrap();
+        let mode = |p| std::fs::metadata(p).unwrap().permissions().mode();
+        assert_eq!(mode(&path), mode(&plain));
+    }
     let nowhere = dir.path().join("no/such/q.smt2");
     let error = stderr_of(&["export", "smt2", "7.3", "--out", nowhere.to_str().unwrap()], 74);
     assert!(error.starts_with("error: cannot write `"), "{error}");
@@ -546,15 +555,7 @@ fn the_whole_script_runs_in_one_solver() {
         return;
     }
     let text = stdout_of(&["export", "smt2", "7.3,box", "--drones", "3..4"]);
-    let mut child = Command::new("z3")
-        .args(["-in", &format!("-T:{SOLVER_SECONDS}")])
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
-    child.stdin.take().unwrap().write_all(text.as_bytes()).unwrap();
-    let out = child.wait_with_output().unwrap();
-    assert_eq!(String::from_utf8(out.stdout).unwrap(), "unsat\n".repeat(8));
+    assert_eq!(solver_output(&text), "unsat\n".repeat(8));
     // And by the program itself, as a user would.
     let negated = cordon(&["export", "smt2", "7.3", "--negate", "--drones", "4"]);
     assert!(

@@ -259,6 +259,43 @@ fn certificates_are_judged_again() {
 }
 
 #[test]
+fn committed_certificates_prove_every_theorem_and_tampered_ones_none() {
+    let page = stdout_of(&["verify", "--tiers", "certificate", "--format", "json"]);
+    let page: Value = serde_json::from_str(&page).unwrap();
+    for theorem in Theorem::ALL {
+        let found = cell(&page, "certificate", theorem.text().number);
+        assert_eq!(found["result"], "holds", "{found}");
+        let detail = found["detail"].as_str().unwrap();
+        assert!(detail.contains(" (sharp) for every N >= 3, "), "{detail}");
+    }
+    assert_eq!(page["tiers"][0]["problems"], serde_json::json!([]));
+
+    let read =
+        |name: &str| std::fs::read_to_string(Path::new("proofs/certificates").join(name)).unwrap();
+    let repo = Repository::new();
+    // The paper's form, or the sharp form of one N, is not the theorem.
+    repo.write("proofs/certificates/a.json", &read("7.2-paper.json"));
+    let page = repo.json(&["7.2", "--tiers", "certificate"], 0);
+    let found = cell(&page, "certificate", "7.2");
+    assert_eq!(found["result"], "inconclusive");
+    assert!(found["detail"].as_str().unwrap().starts_with("only parts or extensions of it"));
+    // One wrong number.
+    let sharp = read("7.2-sharp.json");
+    let tampered = sharp.replacen("\"1\"", "\"2\"", 1);
+    assert_ne!(sharp, tampered);
+    repo.write("proofs/certificates/b.json", &tampered);
+    let page = repo.json(&["7.2", "--tiers", "certificate"], 4);
+    let found = cell(&page, "certificate", "7.2");
+    assert_eq!(found["result"], "rejected");
+    assert!(found["detail"].as_str().unwrap().starts_with("b.json: invalid: "), "{found}");
+    repo.write("proofs/certificates/b.json", &sharp);
+    assert_eq!(
+        cell(&repo.json(&["7.2", "--tiers", "certificate"], 0), "certificate", "7.2")["result"],
+        "holds"
+    );
+}
+
+#[test]
 fn the_program_s_own_tiers_hold() {
     let page: Value = serde_json::from_str(&stdout_of(&[
         "verify",

@@ -2,9 +2,11 @@
 //!
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
+mod check;
 mod errata;
 mod export;
 mod local;
+mod prove;
 pub mod scenario_args;
 pub mod select;
 mod setup;
@@ -45,6 +47,10 @@ pub enum Command {
     Theorems(theorems::Args),
     /// Try theorems on every start of a grid, or decide them for all real starts
     Sweep(Box<sweep::Args>),
+    /// Search certificates for theorems: for every N, every step and every weight in the range
+    Prove(prove::Args),
+    /// Check certificates with the independent checker
+    Check(check::Args),
     /// Print a completion script for a shell
     Completions(setup::Args),
     /// Print the manual page (roff; read it with `cordon man | man -l -`)
@@ -67,6 +73,8 @@ impl Cli {
             Command::Errata(args) => errata::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
             Command::Sweep(args) => sweep::run(&args, out),
+            Command::Prove(args) => prove::run(&args, out),
+            Command::Check(args) => check::run(&args, out),
             Command::Completions(args) => setup::completions(&args, out),
             Command::Man => setup::man(out),
             Command::Export(args) => export::run(&args, out),

@@ -4,8 +4,9 @@ use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use cordon_check::Verdict as Answer;
 use cordon_check::format::{Certificate, read};
-use cordon_spec::theorems::Theorem;
+use cordon_spec::theorems::{Form, Theorem};
 
 use super::{Evidence, Kind, Tier, Verdict, this_program};
 use crate::files;
@@ -26,6 +27,8 @@ struct Judged {
     /// What it claims: a theorem's number, or that with an extension (`7.3-mirror`). Empty for
     /// a file that says nothing readable.
     claim: String,
+    /// Whether it is the theorem itself: the sharp form, every N, all weights of its range.
+    whole: bool,
     verdict: Verdict,
     /// The checker's words.
     said: String,
@@ -66,29 +69,27 @@ fn judge(path: &Path) -> Result<Judged, String> {
     let started = Instant::now();
     let answer = cordon_check::check(&text);
     let seconds = started.elapsed().as_secs_f64();
-    let claim = match read(&text) {
-        Ok(Certificate::Theorem(c)) => c.claim,
-        Ok(Certificate::Exactness(c)) => format!("{}-exact", c.theorem),
-        // About one N and one eps, a counterexample, or a user's own protocol: no theorem.
-        Ok(_) => return Ok(Judged { claim: String::new(), ..other(path, &answer, seconds) }),
-        Err(_) => String::new(),
+    let (claim, whole) = match read(&text) {
+        Ok(Certificate::Theorem(c)) => {
+            let whole = c.form.as_deref() == Some(Form::Sharp.label());
+            let whole = whole && c.drones.is_none() && c.weights.is_none();
+            (c.claim, whole)
+        }
+        Ok(Certificate::Exactness(c)) => (format!("{}-exact", c.theorem), false),
+        // About one N and one eps, a counterexample, or a user's own protocol: no theorem. And
+        // what cannot be read is about nothing.
+        Ok(_) | Err(_) => (String::new(), false),
     };
-    Ok(Judged { claim, ..other(path, &answer, seconds) })
-}
-
-fn other(path: &Path, answer: &cordon_check::Verdict, seconds: f64) -> Judged {
     let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let said = answer.to_string();
     let verdict = match answer {
-        cordon_check::Verdict::Valid { .. } => Verdict::Holds,
-        cordon_check::Verdict::Incomplete { .. } => {
-            Verdict::Inconclusive(format!("{name}: {said}"))
-        }
-        cordon_check::Verdict::Invalid { .. } | cordon_check::Verdict::Unreadable { .. } => {
+        Answer::Valid { .. } => Verdict::Holds,
+        Answer::Incomplete { .. } => Verdict::Inconclusive(format!("{name}: {said}")),
+        Answer::Invalid { .. } | Answer::Unreadable { .. } => {
             Verdict::Rejected(format!("{name}: {said}"))
         }
     };
-    Judged { claim: String::new(), verdict, said, seconds }
+    Ok(Judged { claim, whole, verdict, said, seconds })
 }
 
 /// Whether a claim is about the theorem: `7.3`, `7.3-mirror`, and `7.5-identity` of 7.5i.
@@ -126,12 +127,12 @@ impl Tier for Certificates {
             return Evidence::NotRun(format!("no certificate about {}", theorem.text().number));
         }
         // The theorem itself has to be among the accepted; extensions alone prove it not.
-        let itself = mine.iter().find(|j| j.claim == theorem.text().number);
+        let itself = mine.iter().find(|j| j.whole && j.claim == theorem.text().number);
         let worst = mine.iter().map(|j| &j.verdict).max_by_key(|v| v.outcome().code());
         let verdict = match (worst, itself) {
             (Some(worst), _) if *worst != Verdict::Holds => worst.clone(),
             (_, Some(_)) => Verdict::Holds,
-            _ => Verdict::Inconclusive("only extensions of it are certified".into()),
+            _ => Verdict::Inconclusive("only parts or extensions of it are certified".into()),
         };
         let scope = match itself {
             Some(j) => j.said.trim_start_matches("valid: ").to_owned(),

@@ -18,6 +18,10 @@ use crate::rules::Fault;
 /// Most drones of a contraction or growth vector: the file has room for no more.
 const MAX_DRONES: u32 = 10_000;
 
+/// Most work of a vector: drones * (digits of eps and of the longest entry)^2. About 3 seconds; allows N =
+/// 1,000 with numbers of 1,000 digits.
+const MAX_VECTOR_WORK: u64 = 1_000_000_000;
+
 /// Most drones, and most steps, of a refutation.
 const MAX_RUN: usize = 1_000;
 
@@ -25,8 +29,9 @@ const MAX_RUN: usize = 1_000;
 /// the digits of eps to each position and products cost the square. About 10 seconds.
 const MAX_WORK: u64 = 300_000_000_000;
 
-/// Most variables and half-spaces of an invariance certificate: checking is cubic.
-const MAX_INVARIANCE: (usize, usize) = (200, 400);
+/// Most variables and half-spaces of an invariance certificate: checking is cubic. Its work is
+/// also bounded by [`MAX_WORK`], as products * (longest number * summands)^2.
+const MAX_INVARIANCE: (usize, usize) = (100, 200);
 
 /// The nonzero entries of A, row by row for drones 1 .. N-2.
 type Rows = Vec<BTreeMap<usize, Rational>>;
@@ -35,15 +40,23 @@ type Rows = Vec<BTreeMap<usize, Rational>>;
 ///
 /// The targets are a fixed point: x' = A x + b with T = A T + b gives T - x' = A (T - x). That
 /// is checked here too.
-fn errors(rule: &'static str, drones: u32, eps: &Rational) -> Result<Rows, Fault> {
+fn errors(rule: &'static str, drones: u32, eps: &Number, vector: &[Number]) -> Result<Rows, Fault> {
     let fault = |reason: String| Fault { rule, reason };
     if !(3..=MAX_DRONES).contains(&drones) {
         return Err(fault(format!("{drones} drones: expected 3 to {MAX_DRONES}")));
     }
+    let digits = vector.iter().map(Number::size).fold(eps.size(), u64::max);
+    if u64::from(drones).saturating_mul(digits * digits) > MAX_VECTOR_WORK {
+        return Err(fault("the numbers are too long for so many drones".into()));
+    }
     let count = drones as usize;
     let last = Poly::from(count - 1);
-    let params =
-        Params { min: Poly::default(), max: last.clone(), eps: Poly::constant(eps.clone()), n: 0 };
+    let params = Params {
+        min: Poly::default(),
+        max: last.clone(),
+        eps: Poly::constant(eps.0.clone()),
+        n: 0,
+    };
     let step = |drones: Vec<Poly>| exec_coverage(&params, &State { drones, timesteps: 0 }).drones;
     let targets: Vec<Poly> = (0..count).map(Poly::from).collect();
     if step(targets.clone()) != targets {
@@ -92,7 +105,7 @@ pub fn contraction(cert: &ContractionCert) -> Result<String, Fault> {
     const RULE: &str = "contraction";
     let fault = |reason: String| Fault { rule: RULE, reason };
     let (rate, w) = (&cert.rate.0, &cert.vector);
-    let rows = errors(RULE, cert.drones, &cert.eps.0)?;
+    let rows = errors(RULE, cert.drones, &cert.eps, &cert.vector)?;
     positive_vector(RULE, w, rows.len())?;
     if rate.is_negative() || *rate >= Rational::from_integer(1.into()) {
         return Err(fault("the rate is not in [0, 1)".into()));
@@ -113,7 +126,7 @@ pub fn contraction(cert: &ContractionCert) -> Result<String, Fault> {
 pub fn growth(cert: &GrowthCert) -> Result<String, Fault> {
     const RULE: &str = "growth";
     let fault = |reason: String| Fault { rule: RULE, reason };
-    let (rows, w) = (errors(RULE, cert.drones, &cert.eps.0)?, &cert.vector);
+    let (rows, w) = (errors(RULE, cert.drones, &cert.eps, &cert.vector)?, &cert.vector);
     positive_vector(RULE, w, rows.len())?;
     for (i, row) in rows.iter().enumerate() {
         if absolute(row, w) < w[i].0 {
@@ -272,6 +285,17 @@ pub fn invariance(cert: &InvarianceCert) -> Result<String, Fault> {
         || rows.len() > most_rows
     {
         return Err(fault("the sizes do not fit".into()));
+    }
+    let numbers = cert.matrix.iter().chain(&cert.multipliers).flatten();
+    let digits = numbers.chain(rows.iter().flat_map(|h| &h.normal)).map(Number::size).max();
+    let dense = |m: &[Vec<Number>]| {
+        m.iter().map(|r| r.iter().filter(|x| !x.0.is_zero()).count()).max().unwrap_or(0) as u64
+    };
+    let summands = dense(&cert.multipliers) + variables as u64;
+    let length = digits.unwrap_or(1).saturating_mul(summands);
+    let products = (rows.len() * variables) as u64 * summands;
+    if products.saturating_mul(length.saturating_mul(length)) > MAX_WORK {
+        return Err(fault("the numbers are too long for its size".into()));
     }
     let dot = |a: &mut dyn Iterator<Item = (&Number, &Number)>| -> Rational {
         a.filter(|(x, y)| !x.0.is_zero() && !y.0.is_zero()).map(|(x, y)| &x.0 * &y.0).sum()

@@ -4,6 +4,11 @@
 //! definitions are templates beside this file, close to the paper's listings; hypotheses and
 //! comments are generated from the spec's data ([`theorems`]), and a scenario's theory carries
 //! positions that the spec computed ([`scenario`]), for PVSio to replay.
+//!
+//! CI has no PVS. Tried by hand with PVS 8.0 (built from its sources at commit `becb0153` under
+//! SBCL 2.2.9, without its network server) for the default scenario: all files type-check, PVS
+//! proves every TCC by itself, and PVSio answers TRUE to `replays;`. The theorems are statements
+//! there; their proofs are elsewhere in this repository. PVS 7 was not tried.
 
 mod scenario;
 mod theorems;

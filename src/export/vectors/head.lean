@@ -15,7 +15,8 @@ def local_swarm (min max eps : Rat) (num den : Nat) (phase : Phase) (start : Lis
   let ratio := TickRatio.mk num den
   let p := Params.mk min max eps (counter_limit ratio)
   let machines := swarm_of p (initial start p.n phase)
-  (swarm_kth_step (LocalParams.mk p start.length ratio) machines k).map (fun m => m.st.own)
+  List.map (fun m => m.st.own)
+    (swarm_kth_step (LocalParams.mk p start.length ratio) machines k)
 
 def consensus (eps : Rat) (start : List Rat) (k : Nat) : List Rat :=
   consensus_step eps (path start.length) start k

@@ -1,7 +1,6 @@
 //! Vectors as Lean guards.
 
-use cordon_spec::Phase;
-
+use super::show::phase_name;
 use super::{Kind, Vector};
 use crate::Rational;
 
@@ -17,11 +16,13 @@ pub fn lean(vectors: &[Vector]) -> String {
         let run = match v.kind {
             Kind::Coverage { min, max, n, phase } => {
                 let phase = phase_name(phase);
-                format!("coverage ({min} / 1) ({max} / 1) ({eps}) {n} {phase} {start}")
+                format!("coverage ({min} / 1) ({max} / 1) ({eps}) {n} Phase.{phase} {start}")
             }
             Kind::Local { min, max, ratio, phase } => {
                 let (num, den, phase) = (ratio.num, ratio.den, phase_name(phase));
-                format!("local_swarm ({min} / 1) ({max} / 1) ({eps}) {num} {den} {phase} {start}")
+                format!(
+                    "local_swarm ({min} / 1) ({max} / 1) ({eps}) {num} {den} Phase.{phase} {start}"
+                )
             }
             Kind::Consensus => format!("consensus ({eps}) {start}"),
         };
@@ -30,13 +31,6 @@ pub fn lean(vectors: &[Vector]) -> String {
     }
     text.push_str("\nend CordonMirror.Vectors\n");
     text
-}
-
-fn phase_name(phase: Phase) -> &'static str {
-    match phase {
-        Phase::First => ".first",
-        Phase::Last => ".last",
-    }
 }
 
 fn fraction(x: &Rational) -> String {

@@ -52,7 +52,7 @@ fn quotient(ratio: TickRatio) -> String {
     Rational::new(ratio.num.into(), ratio.den.get().into()).to_string()
 }
 
-/// The constructor of a phase in Rocq, too.
+/// The constructor of a phase in Rocq and Lean, too.
 pub(super) fn phase_name(phase: Phase) -> &'static str {
     match phase {
         Phase::First => "First",

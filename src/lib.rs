@@ -10,6 +10,7 @@ pub mod counterexample;
 pub mod errata;
 pub mod error;
 pub mod exact;
+pub mod export;
 pub mod fast;
 pub mod files;
 pub mod linear;
@@ -27,6 +28,7 @@ pub mod swarm;
 pub mod sweep;
 pub mod threshold;
 pub mod trace;
+pub mod verify;
 
 pub use error::{Error, Outcome, Result};
 pub use exact::Rational;

@@ -4,6 +4,7 @@
 
 mod check;
 mod errata;
+mod export;
 mod local;
 pub mod own_protocol;
 mod prove;
@@ -20,6 +21,7 @@ mod theorems;
 mod threshold;
 mod trace;
 mod trace_at;
+mod verify;
 
 use std::io::Write;
 
@@ -43,28 +45,32 @@ const EXIT_CODES: &str = "Exit codes: 0 holds or done, 1 refuted, 2 bad usage or
 /// The commands.
 #[derive(Subcommand, Debug)]
 pub enum Command {
-    /// Search for the smallest counterexample to a theorem
-    Refute(refute::Args),
-    /// From which step on every drone is within a distance of its target: proved and true
-    Settle(settle::Args),
     /// Print the trace of a scenario: the placement after every protocol step or tick
     Trace(Box<trace::Args>),
     /// Run N local machines that exchange positions and compare with the global protocol
     Local(Box<local::Args>),
     /// Run a very large swarm in doubles, with a proved bound of the error
     Swarm(swarm::Args),
-    /// Re-establish the paper's slips by computation, now
-    Errata(errata::Args),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
+    /// Re-establish the paper's slips by computation, now
+    Errata(errata::Args),
+    /// Try theorems on every start of a grid, or decide them for all real starts
+    Sweep(Box<sweep::Args>),
+    /// Search for the smallest counterexample to a theorem
+    Refute(refute::Args),
     /// Search certificates for theorems: for every N, every step and every weight in the range
     Prove(prove::Args),
     /// Check certificates with the independent checker
     Check(check::Args),
     /// Bracket the critical weight of a property from both sides, with a certificate on each
     Threshold(threshold::Args),
-    /// Try theorems on every start of a grid, or decide them for all real starts
-    Sweep(Box<sweep::Args>),
+    /// From which step on every drone is within a distance of its target: proved and true
+    Settle(settle::Args),
+    /// Show what is known of each theorem: run now, verified by record, or not run
+    Verify(verify::Args),
+    /// Write the protocol, its theorems or a scenario for other tools
+    Export(export::Args),
     /// Print a completion script for a shell
     Completions(setup::Args),
     /// Print the manual page (roff; read it with `cordon man | man -l -`)
@@ -78,17 +84,19 @@ impl Cli {
     /// Bad input, or a file or stream that cannot be read or written.
     pub fn run(self, out: &mut dyn Write) -> Result<Outcome> {
         match self.command {
-            Command::Refute(args) => refute::run(&args, out),
-            Command::Settle(args) => settle::run(&args, out),
             Command::Trace(args) => trace::run(&args, out),
             Command::Local(args) => local::run(&args, out),
             Command::Swarm(args) => swarm::run(&args, out),
-            Command::Errata(args) => errata::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
+            Command::Errata(args) => errata::run(&args, out),
+            Command::Sweep(args) => sweep::run(&args, out),
+            Command::Refute(args) => refute::run(&args, out),
             Command::Prove(args) => prove::run(&args, out),
             Command::Check(args) => check::run(&args, out),
             Command::Threshold(args) => threshold::run(&args, out),
-            Command::Sweep(args) => sweep::run(&args, out),
+            Command::Settle(args) => settle::run(&args, out),
+            Command::Verify(args) => verify::run(&args, out),
+            Command::Export(args) => export::run(&args, out),
             Command::Completions(args) => setup::completions(&args, out),
             Command::Man => setup::man(out),
         }

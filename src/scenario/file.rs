@@ -43,7 +43,10 @@ pub fn read(path: &Path) -> Result<Draft> {
 }
 
 /// Reads a scenario from text; `name` stands for the file in messages.
-fn parse(name: &str, text: &str) -> Result<Draft> {
+///
+/// # Errors
+/// As [`read`], for the text.
+pub fn parse(name: &str, text: &str) -> Result<Draft> {
     let source = Source { name, text };
     let doc: Document = toml::from_str(text).map_err(|e| {
         let at = e.span().unwrap_or(0..0);

@@ -11,7 +11,7 @@ use cordon_spec::theorems::Setting;
 use cordon_spec::{Params, Phase, State};
 
 pub use draft::{Draft, Start};
-pub use file::read;
+pub use file::{parse, read};
 pub use graph::Topology;
 
 use crate::Rational;

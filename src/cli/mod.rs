@@ -4,7 +4,9 @@
 
 mod cosim;
 mod errata;
+mod figures;
 mod local;
+mod replay;
 pub mod scenario_args;
 pub mod select;
 mod setup;
@@ -39,6 +41,10 @@ pub enum Command {
     Local(Box<local::Args>),
     /// Fly the scenario: plant, controller and coordination of every drone, co-simulated
     Cosim(Box<cosim::Args>),
+    /// Draw the paper's figures 8 to 12, 15 and 16 from runs made now
+    Figures(figures::Args),
+    /// Write a run as one HTML page to look at: play, pause, scrub, collisions marked
+    Replay(Box<replay::Args>),
     /// Re-establish the paper's slips by computation, now
     Errata(errata::Args),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
@@ -59,6 +65,8 @@ impl Cli {
             Command::Trace(args) => trace::run(&args, out),
             Command::Local(args) => local::run(&args, out),
             Command::Cosim(args) => cosim::run(&args, out),
+            Command::Figures(args) => figures::run(&args, out),
+            Command::Replay(args) => replay::run(&args, out),
             Command::Errata(args) => errata::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
             Command::Completions(args) => setup::completions(&args, out),

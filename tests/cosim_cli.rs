@@ -23,7 +23,10 @@ fn files_in(folder: &Path) -> usize {
 fn a_summary_says_where_the_drones_are_and_what_happened() {
     let (code, out, err) = run(&["cosim", "scenarios/paper.toml"]);
     assert_eq!((code, err.as_str()), (0, ""));
-    assert!(out.contains("10.00  0.00  24.95  49.93  74.95  100.00  0.00  22.05  44.91  69.16  100.00"), "{out}");
+    assert!(
+        out.contains("10.00  0.00  24.95  49.93  74.95  100.00  0.00  22.05  44.91  69.16  100.00"),
+        "{out}"
+    );
     assert!(out.contains("no collision, at the grid points and between them (this run only)"));
     let (code, out, _) = run(&["cosim", "scenarios/paper-unstable.toml", "--exact"]);
     assert_eq!(code, 0);
@@ -61,9 +64,11 @@ fn csv_and_json_say_the_same_and_read_back() {
 #[test]
 fn bad_runs_are_refused_by_name_and_leave_nothing() {
     let (folder, good) = in_folder("good.csv");
-    let (_, text, _) = run(&["cosim", "scenarios/paper.toml", "--duration", "1", "--format", "csv"]);
+    let (_, text, _) =
+        run(&["cosim", "scenarios/paper.toml", "--duration", "1", "--format", "csv"]);
     fs::write(&good, &text).unwrap();
-    let (_, whole, _) = run(&["cosim", "scenarios/paper.toml", "--duration", "1", "--format", "json"]);
+    let (_, whole, _) =
+        run(&["cosim", "scenarios/paper.toml", "--duration", "1", "--format", "json"]);
     let lines = |n: usize| text.lines().take(n).map(|l| format!("{l}\n")).collect::<String>();
     let row = |from: &str, to: &str| text.replacen(from, to, 1);
     let cases = [
@@ -75,9 +80,21 @@ fn bad_runs_are_refused_by_name_and_leave_nothing() {
         ("word.csv", row("12.4192", "twelve"), "`twelve`: expected a finite number"),
         ("nan.csv", row("12.4192", "NaN"), "`NaN`: expected a finite number"),
         ("back.csv", row("\n0.1,", "\n0.01,"), "time at row 2: expected more than the row before"),
-        ("cut.json", whole[..whole.len() / 2].to_owned(), "expected a whole run, schema cordon-cosim/1"),
-        ("other.json", whole.replace("cordon-cosim/1", "cordon-cosim/9"), "schema: `cordon-cosim/9`"),
-        ("few.json", whole.replace("\"drones\":5", "\"drones\":4"), "expected one position for each of the 4 drones"),
+        (
+            "cut.json",
+            whole[..whole.len() / 2].to_owned(),
+            "expected a whole run, schema cordon-cosim/1",
+        ),
+        (
+            "other.json",
+            whole.replace("cordon-cosim/1", "cordon-cosim/9"),
+            "schema: `cordon-cosim/9`",
+        ),
+        (
+            "few.json",
+            whole.replace("\"drones\":5", "\"drones\":4"),
+            "expected one position for each of the 4 drones",
+        ),
         ("extra.json", whole.replace("\"title\"", "\"name\""), "unknown field `name`"),
     ];
     let page = folder.path().join("page.html").display().to_string();
@@ -106,10 +123,16 @@ fn bad_flights_are_refused() {
         ("[flight]\nlambda_Q = 1\n", "bad.toml:6:1: unknown field `lambda_Q`"),
         ("[flight]\nlambda_P = \"x\"\n", "bad.toml:6:12: lambda_P: `x` is not a number"),
         ("[flight]\nstart = [0, true]\n", "bad.toml:6:13: flight.start: expected a number"),
-        ("[flight]\nintegrator = \"rk4\"\n", "bad.toml: integrator: `rk4`: expected `euler` or `exact`"),
+        (
+            "[flight]\nintegrator = \"rk4\"\n",
+            "bad.toml: integrator: `rk4`: expected `euler` or `exact`",
+        ),
         ("[[fault]]\nkind = \"lost\"\n", "bad.toml:6:8: fault: `lost` is unknown"),
         ("[[fault]]\nkind = \"loss\"\n", "bad.toml:6:8: fault: probability is missing"),
-        ("[[fault]]\nkind = \"delay\"\nticks = 1\ndrone = 2\n", "bad.toml:6:8: fault: `drone` is no field of a `delay`"),
+        (
+            "[[fault]]\nkind = \"delay\"\nticks = 1\ndrone = 2\n",
+            "bad.toml:6:8: fault: `drone` is no field of a `delay`",
+        ),
         ("[[fault]]\nkind = \"loss\"\nodds = 2\n", "unknown field `odds`"),
     ];
     let out = folder.path().join("run.csv").display().to_string();
@@ -123,18 +146,23 @@ fn bad_flights_are_refused() {
     }
     for (flags, expected) in [
         (&["--duration", "1.02"][..], "duration: `51/50`: expected a whole multiple"),
-        (&["--compat", "recorded", "--integrator", "exact"], "integrator: `exact`: expected `euler`"),
+        (
+            &["--compat", "recorded", "--integrator", "exact"],
+            "integrator: `exact`: expected `euler`",
+        ),
         (&["--exchange", "morse"], "exchange: `morse`: expected `exact` or `double`"),
         (&["--duration", "400000000"], "expected at most 67108864 positions"),
     ] {
-        let (code, _, err) = run(&[&["cosim", "scenarios/paper.toml", "--out", &out], flags].concat());
+        let (code, _, err) =
+            run(&[&["cosim", "scenarios/paper.toml", "--out", &out], flags].concat());
         assert_eq!(code, 2, "{err}");
         assert!(err.contains(expected), "{err}");
     }
     let (code, _, err) = run(&["cosim", "scenarios/paper.toml", "--out", "no/such/folder/run.csv"]);
     assert_eq!(code, 74);
     assert!(err.contains("cannot write `no/such/folder/run.csv`"), "{err}");
-    let (code, _, err) = run(&["replay", "tests/data/recorded/run-a.csv", "--duration", "3", "--out", &out]);
+    let (code, _, err) =
+        run(&["replay", "tests/data/recorded/run-a.csv", "--duration", "3", "--out", &out]);
     assert_eq!(code, 2);
     assert!(err.contains("duration: expected a scenario to fly, found a run"), "{err}");
     assert_eq!(files_in(folder.path()), 1, "nothing was written");

@@ -83,8 +83,7 @@ fn loss_is_seeded_and_its_extremes_are_sharp() {
 #[test]
 fn skipping_and_holding_differ() {
     let with = |on_loss: &str| {
-        let flight =
-            Flight { on_loss: Some(on_loss.to_owned()), ..flight(vec![loss("1")], "5") };
+        let flight = Flight { on_loss: Some(on_loss.to_owned()), ..flight(vec![loss("1")], "5") };
         desired(&swarm(PAPER, "1/5", 4, flight))
     };
     assert!(with("skip").iter().all(|x| x[1..4] == [10.0, 20.0, 30.0]));
@@ -118,11 +117,8 @@ fn skipped_updates_keep_order_and_bounds() {
 
 #[test]
 fn a_drone_that_drops_out_stays_and_comes_back() {
-    let out = Fault {
-        kind: FaultKind::DropOut { drone: 2 },
-        from: Some(q("1")),
-        until: Some(q("3")),
-    };
+    let out =
+        Fault { kind: FaultKind::DropOut { drone: 2 }, from: Some(q("1")), until: Some(q("3")) };
     let x = desired(&swarm(PAPER, "1/5", 4, flight(vec![out], "25")));
     let perfect = desired(&swarm(PAPER, "1/5", 4, flight(Vec::new(), "25")));
     assert_eq!(x[..=20], perfect[..=20]);
@@ -143,7 +139,10 @@ fn faults_that_make_no_sense_are_refused() {
     let cases = [
         (loss("3/2"), "fault 1: probability: `3/2`: expected a number from 0 to 1"),
         (loss("-1/2"), "fault 1: probability: `-1/2`: expected a number from 0 to 1"),
-        (window("0.07", "1"), "fault 1: from: `7/100`: expected a whole multiple of the step tau, which is `1/20` s"),
+        (
+            window("0.07", "1"),
+            "fault 1: from: `7/100`: expected a whole multiple of the step tau, which is `1/20` s",
+        ),
         (window("2", "1"), "fault 1: until: expected a time after `from`"),
         (link((1, 9)), "fault 1: drone `9`: expected 0 to 4"),
         (link((1, 3)), "fault: link `[1, 3]`: expected two drones that exchange positions"),
@@ -172,7 +171,13 @@ fn flights_that_make_no_sense_are_refused() {
         refused(Flight { lambda_p: Some(q("0")), ..default() }),
         "lambda_P: `0`: expected a positive number"
     );
-    assert!(refused(Flight { start: Some(qs("0,1")), ..default() }).starts_with("flight.start: 2 positions given"));
-    assert!(refused(Flight { duration: Some(q("0.33")), ..default() }).starts_with("duration: `33/100`: expected a whole multiple"));
+    assert!(
+        refused(Flight { start: Some(qs("0,1")), ..default() })
+            .starts_with("flight.start: 2 positions given")
+    );
+    assert!(
+        refused(Flight { duration: Some(q("0.33")), ..default() })
+            .starts_with("duration: `33/100`: expected a whole multiple")
+    );
     assert!(refused(Flight { duration: Some(q("-1")), ..default() }).starts_with("duration: `-1`"));
 }

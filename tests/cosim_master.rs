@@ -56,9 +56,14 @@ impl Unit for Adder {
     }
     fn initialise(&mut self, grid: &Grid) -> Result<(), UnitError> {
         match self.step {
-            Some(own) if grid.steps_in(&q(own)).is_none() => {
-                Err(at_variable(self, 1, format!("own step `{own}` s: expected a whole multiple of the master's step `{}` s", grid.tau())))
-            }
+            Some(own) if grid.steps_in(&q(own)).is_none() => Err(at_variable(
+                self,
+                1,
+                format!(
+                    "own step `{own}` s: expected a whole multiple of the master's step `{}` s",
+                    grid.tau()
+                ),
+            )),
             _ => Ok(()),
         }
     }
@@ -155,15 +160,24 @@ fn algebraic_loops_are_refused_by_name() {
     };
     let message = refusal(closed(&[true, true], Timing::Sampled), Algorithm::Jacobi);
     assert!(message.contains("algebraic loop"), "{message}");
-    assert!(message.contains("`a.out` to `b.in`") && message.contains("`b.out` to `a.in`"), "{message}");
+    assert!(
+        message.contains("`a.out` to `b.in`") && message.contains("`b.out` to `a.in`"),
+        "{message}"
+    );
     let message = refusal(closed(&[false, false], Timing::Immediate), Algorithm::GaussSeidel);
     assert!(message.starts_with("unit `") && message.contains("variable `in`"), "{message}");
     assert!(message.contains("algebraic loop"), "{message}");
     // One unit without feedthrough opens the loop; one sampled connection does under
     // Gauss-Seidel; under Jacobi a loop of plain units is none.
-    assert!(Master::new(closed(&[true, false], Timing::Sampled), grid(3), Algorithm::Jacobi).is_ok());
-    assert!(Master::new(closed(&[false; 2], Timing::Sampled), grid(3), Algorithm::GaussSeidel).is_ok());
-    assert!(Master::new(closed(&[false; 2], Timing::Immediate), grid(3), Algorithm::Jacobi).is_ok());
+    assert!(
+        Master::new(closed(&[true, false], Timing::Sampled), grid(3), Algorithm::Jacobi).is_ok()
+    );
+    assert!(
+        Master::new(closed(&[false; 2], Timing::Sampled), grid(3), Algorithm::GaussSeidel).is_ok()
+    );
+    assert!(
+        Master::new(closed(&[false; 2], Timing::Immediate), grid(3), Algorithm::Jacobi).is_ok()
+    );
 }
 
 #[test]
@@ -179,10 +193,22 @@ fn bad_wirings_are_refused_with_unit_and_variable() {
     type Change = fn(&mut Wiring);
     let cases: [(Change, &str); 9] = [
         (|_| {}, "unit `plant`, variable `w1`: is an input that nothing is connected to"),
-        (|w| w.connect(port(0, 4), port(0, 5), Timing::Sampled), "unit `plant`, variable `y`: is output: expected input"),
-        (|w| w.connect(port(1, 0), port(0, 0), Timing::Sampled), "unit `control`, variable `x_d`: is input: expected output"),
-        (|w| w.connect(port(0, 99), port(0, 0), Timing::Sampled), "unit `plant`, variable `number 99`: is unknown"),
-        (|w| w.connect(port(7, 0), port(0, 0), Timing::Sampled), "unit `number 7`: expected one of the 2 units"),
+        (
+            |w| w.connect(port(0, 4), port(0, 5), Timing::Sampled),
+            "unit `plant`, variable `y`: is output: expected input",
+        ),
+        (
+            |w| w.connect(port(1, 0), port(0, 0), Timing::Sampled),
+            "unit `control`, variable `x_d`: is input: expected output",
+        ),
+        (
+            |w| w.connect(port(0, 99), port(0, 0), Timing::Sampled),
+            "unit `plant`, variable `number 99`: is unknown",
+        ),
+        (
+            |w| w.connect(port(7, 0), port(0, 0), Timing::Sampled),
+            "unit `number 7`: expected one of the 2 units",
+        ),
         (
             |w| w.connect(port(0, 7), port(1, 3), Timing::Sampled),
             "unit `control`, variable `x`: expected a value in `m`, found one in `m/s` from `plant.vx`",
@@ -225,10 +251,26 @@ fn parameters_out_of_range_are_refused() {
     let plant = || Plant::new("plant", [0.0; 3], Integrator::Euler);
     let cases = [
         ("Ixx", Value::Real(0.0), "unit `plant`, variable `Ixx`: `0`: expected a positive number"),
-        ("m", Value::Real(f64::NAN), "unit `plant`, variable `m`: `NaN`: expected a positive number"),
-        ("integrator", Value::Text("rk4".into()), "unit `plant`, variable `integrator`: `rk4`: expected `euler` or `exact`"),
-        ("x", Value::Real(1.0), "unit `plant`, variable `x`: is output: expected a parameter or an input"),
-        ("w1", Value::Boolean(true), "unit `plant`, variable `w1`: `true`: expected real, found boolean"),
+        (
+            "m",
+            Value::Real(f64::NAN),
+            "unit `plant`, variable `m`: `NaN`: expected a positive number",
+        ),
+        (
+            "integrator",
+            Value::Text("rk4".into()),
+            "unit `plant`, variable `integrator`: `rk4`: expected `euler` or `exact`",
+        ),
+        (
+            "x",
+            Value::Real(1.0),
+            "unit `plant`, variable `x`: is output: expected a parameter or an input",
+        ),
+        (
+            "w1",
+            Value::Boolean(true),
+            "unit `plant`, variable `w1`: `true`: expected real, found boolean",
+        ),
     ];
     for (name, value, expected) in cases {
         assert_eq!(refused(&mut plant(), name, value), expected);
@@ -248,7 +290,12 @@ fn steps_that_do_not_divide_are_refused() {
         message,
         "unit `slow`, variable `out`: own step `0.07` s: expected a whole multiple of the master's step `1/20` s"
     );
-    assert!(Grid::lasting(&q("1.02"), q("0.05")).unwrap_err().to_string().starts_with("duration: `51/50`"));
+    assert!(
+        Grid::lasting(&q("1.02"), q("0.05"))
+            .unwrap_err()
+            .to_string()
+            .starts_with("duration: `51/50`")
+    );
     assert!(Grid::new(q("0"), 3).is_err() && Grid::new(q("-1"), 3).is_err());
     assert_eq!(Grid::lasting(&q("25"), q("0.05")).unwrap().steps(), 500);
     // Exact to the end, where adding up doubles is not.
@@ -266,8 +313,13 @@ fn numbers_that_are_not_finite_stop_the_run() {
             wiring.connect(port(0, 1), port(1, 0), Timing::Immediate);
             let mut master = Master::new(wiring, grid(100), algorithm).unwrap();
             let message = master.run(|_, _| Ok(())).unwrap_err().to_string();
-            let expected = format!("unit `sick`, variable `out`: `{shown}` at 1.350 s: expected a finite number");
-            assert!(message == expected || message == expected.replace("1.350", "1.300"), "{message}");
+            let expected = format!(
+                "unit `sick`, variable `out`: `{shown}` at 1.350 s: expected a finite number"
+            );
+            assert!(
+                message == expected || message == expected.replace("1.350", "1.300"),
+                "{message}"
+            );
         }
     }
 }

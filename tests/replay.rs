@@ -14,7 +14,9 @@ use common::run;
 
 /// The browser's program; `None` where there is none.
 fn browser() -> Option<&'static str> {
-    let works = |name: &&str| Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success());
+    let works = |name: &&str| {
+        Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success())
+    };
     let found = ["chromium", "chromium-browser", "google-chrome"].into_iter().find(works);
     if found.is_none() {
         let required = std::env::var("CORDON_REQUIRE_TOOLS").is_ok_and(|v| v == "1");
@@ -91,7 +93,10 @@ fn the_page_shows_the_run_at_any_time() {
         (text_of(&dom, "status"), dom)
     };
     let (status, dom) = at("0");
-    assert!(status.starts_with("t = 0.00 s of 15.00 s; smallest gap 10.000 m (drones 0 and 1)"), "{status}");
+    assert!(
+        status.starts_with("t = 0.00 s of 15.00 s; smallest gap 10.000 m (drones 0 and 1)"),
+        "{status}"
+    );
     assert!(status.ends_with("in order; collisions so far: 0"), "{status}");
     assert!(dom.contains("12.591 s: drones 1 and 2 collide"));
     assert!(text_of(&dom, "setup").contains("eps = 7/10, an update every 14 ticks of 1/20 s"));
@@ -105,7 +110,9 @@ fn the_page_is_moved_by_hand() {
     let Some(browser) = browser() else { return };
     let (folder, page) = unstable_page();
     let key = |k: &str, shift: bool| {
-        format!("document.dispatchEvent(new KeyboardEvent('keydown', {{key: '{k}', shiftKey: {shift}, bubbles: true}}));")
+        format!(
+            "document.dispatchEvent(new KeyboardEvent('keydown', {{key: '{k}', shiftKey: {shift}, bubbles: true}}));"
+        )
     };
     let time = |presses: String| -> (f64, String) {
         let html = fs::read_to_string(&page).unwrap();

@@ -5,7 +5,9 @@
   const $ = (id) => document.getElementById(id);
   const motionless = matchMedia("(prefers-reduced-motion: reduce)").matches;
   const words = { "collision": "collide", "order-lost": "lose their order", "order-restored": "are in order again" };
+  const FRAME = 16;
   const state = { t: 0, playing: false, speed: 1 };
+  let before = 0;
 
   // Between two samples positions lie on a straight line; desired ones stay where they are.
   function index(t) {
@@ -136,7 +138,7 @@
       }
       g.stroke();
     }
-    g.setLineDash([]); g.globalAlpha = 1;
+    g.globalAlpha = 1;
     if (N <= 12) {
       g.fillStyle = colour("ink"); g.textAlign = "left";
       const taken = [];
@@ -144,9 +146,12 @@
         let y = f.y(run.actual[0][i + 1] - run.actual[0][i]) - 5;
         while (taken.some((other) => Math.abs(other - y) < 13)) y -= 13;
         taken.push(y);
-        g.fillText(`${i}–${i + 1}`, f.left + 6, y);
+        g.fillText(`${i}–${i + 1}`, f.left + 38, y);
+        g.setLineDash(dashes[i % dashes.length]);
+        g.beginPath(); g.moveTo(f.left + 6, y - 4); g.lineTo(f.left + 34, y - 4); g.stroke();
       }
     }
+    g.setLineDash([]);
     g.fillStyle = colour("wrong");
     for (const e of run.events) if (e.kind === "collision") {
       const x = f.x(e.time);
@@ -201,14 +206,15 @@
     state.playing = on;
     $("play").textContent = on ? "Pause" : "Play";
     $("play").setAttribute("aria-pressed", on);
-    if (on) { before = null; requestAnimationFrame(advance); }
+    if (on) { before = performance.now(); setTimeout(advance, FRAME); }
   }
-  let before = null;
-  function advance(now) {
+  // A timer instead of animation frames: it also runs where nothing is shown.
+  function advance() {
     if (!state.playing) return;
-    if (before !== null) seek(state.t + state.speed * (now - before) / 1000);
+    const now = performance.now();
+    seek(state.t + state.speed * (now - before) / 1000);
     before = now;
-    if (state.t >= end) play(false); else requestAnimationFrame(advance);
+    if (state.t >= end) play(false); else setTimeout(advance, FRAME);
   }
   function faster(by) {
     const select = $("speed");

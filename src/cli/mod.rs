@@ -2,16 +2,27 @@
 //!
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
+mod check;
 mod cosim;
 mod errata;
 mod figures;
 mod local;
+pub mod own_protocol;
+mod prove;
+pub mod ranges;
+mod refute;
 mod replay;
 pub mod scenario_args;
 pub mod select;
+mod settle;
 mod setup;
+mod swarm;
+mod sweep;
+mod table;
 mod theorems;
+mod threshold;
 mod trace;
+mod trace_at;
 
 use std::io::Write;
 
@@ -35,6 +46,10 @@ const EXIT_CODES: &str = "Exit codes: 0 holds or done, 1 refuted, 2 bad usage or
 /// The commands.
 #[derive(Subcommand, Debug)]
 pub enum Command {
+    /// Search for the smallest counterexample to a theorem
+    Refute(refute::Args),
+    /// From which step on every drone is within a distance of its target: proved and true
+    Settle(settle::Args),
     /// Print the trace of a scenario: the placement after every protocol step or tick
     Trace(Box<trace::Args>),
     /// Run N local machines that exchange positions and compare with the global protocol
@@ -45,10 +60,20 @@ pub enum Command {
     Figures(figures::Args),
     /// Write a run as one HTML page to look at: play, pause, scrub, collisions marked
     Replay(Box<replay::Args>),
+    /// Run a very large swarm in doubles, with a proved bound of the error
+    Swarm(swarm::Args),
     /// Re-establish the paper's slips by computation, now
     Errata(errata::Args),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
+    /// Search certificates for theorems: for every N, every step and every weight in the range
+    Prove(prove::Args),
+    /// Check certificates with the independent checker
+    Check(check::Args),
+    /// Bracket the critical weight of a property from both sides, with a certificate on each
+    Threshold(threshold::Args),
+    /// Try theorems on every start of a grid, or decide them for all real starts
+    Sweep(Box<sweep::Args>),
     /// Print a completion script for a shell
     Completions(setup::Args),
     /// Print the manual page (roff; read it with `cordon man | man -l -`)
@@ -62,13 +87,20 @@ impl Cli {
     /// Bad input, or a file or stream that cannot be read or written.
     pub fn run(self, out: &mut dyn Write) -> Result<Outcome> {
         match self.command {
+            Command::Refute(args) => refute::run(&args, out),
+            Command::Settle(args) => settle::run(&args, out),
             Command::Trace(args) => trace::run(&args, out),
             Command::Local(args) => local::run(&args, out),
             Command::Cosim(args) => cosim::run(&args, out),
             Command::Figures(args) => figures::run(&args, out),
             Command::Replay(args) => replay::run(&args, out),
+            Command::Swarm(args) => swarm::run(&args, out),
             Command::Errata(args) => errata::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
+            Command::Prove(args) => prove::run(&args, out),
+            Command::Check(args) => check::run(&args, out),
+            Command::Threshold(args) => threshold::run(&args, out),
+            Command::Sweep(args) => sweep::run(&args, out),
             Command::Completions(args) => setup::completions(&args, out),
             Command::Man => setup::man(out),
         }

@@ -4,7 +4,7 @@
 //! place ([`Draft`]); [`Draft::finish`] is the one place that checks it.
 
 mod draft;
-mod file;
+pub(crate) mod file;
 mod flight;
 mod flight_file;
 mod graph;

@@ -6,12 +6,14 @@
 
 pub mod certificate;
 pub mod cli;
+pub mod cosim;
 pub mod counterexample;
 pub mod errata;
 pub mod error;
 pub mod exact;
 pub mod export;
 pub mod fast;
+pub mod figures;
 pub mod files;
 pub mod linear;
 pub mod own_protocol;
@@ -19,6 +21,7 @@ pub mod projection;
 pub mod prove;
 pub mod random;
 pub mod refute;
+pub mod replay;
 pub mod scalar;
 pub mod scenario;
 pub mod settle;

@@ -3,13 +3,16 @@
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
 mod check;
+mod cosim;
 mod errata;
 mod export;
+mod figures;
 mod local;
 pub mod own_protocol;
 mod prove;
 pub mod ranges;
 mod refute;
+mod replay;
 pub mod scenario_args;
 pub mod select;
 mod settle;
@@ -51,6 +54,12 @@ pub enum Command {
     Local(Box<local::Args>),
     /// Run a very large swarm in doubles, with a proved bound of the error
     Swarm(swarm::Args),
+    /// Fly the scenario: plant, controller and coordination of every drone, co-simulated
+    Cosim(Box<cosim::Args>),
+    /// Draw the paper's figures 8 to 12, 15 and 16 from runs made now
+    Figures(figures::Args),
+    /// Write a run as one HTML page to look at: play, pause, scrub, collisions marked
+    Replay(Box<replay::Args>),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
     /// Re-establish the paper's slips by computation, now
@@ -87,6 +96,9 @@ impl Cli {
             Command::Trace(args) => trace::run(&args, out),
             Command::Local(args) => local::run(&args, out),
             Command::Swarm(args) => swarm::run(&args, out),
+            Command::Cosim(args) => cosim::run(&args, out),
+            Command::Figures(args) => figures::run(&args, out),
+            Command::Replay(args) => replay::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
             Command::Errata(args) => errata::run(&args, out),
             Command::Sweep(args) => sweep::run(&args, out),

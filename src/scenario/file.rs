@@ -7,6 +7,7 @@ use cordon_spec::Phase;
 use serde::Deserialize;
 use toml::{Spanned, Value};
 
+use super::flight_file::{self, FaultTable, FlightTable};
 use super::{Draft, Start};
 use crate::exact::{self, Rational};
 use crate::{Error, Result, files};
@@ -31,6 +32,10 @@ struct Document {
     steps: Option<u64>,
     graph: Option<Spanned<Value>>,
     displacement: Option<Vec<Spanned<Value>>>,
+    #[serde(default)]
+    flight: FlightTable,
+    #[serde(default)]
+    fault: Vec<FaultTable>,
 }
 
 /// Reads a scenario file.
@@ -86,6 +91,7 @@ pub fn parse(name: &str, text: &str) -> Result<Draft> {
         graph,
         edges,
         displacement: numbers("displacement", doc.displacement)?,
+        flight: flight_file::flight(&source, doc.flight, &doc.fault)?,
     })
 }
 

@@ -5,6 +5,8 @@
 
 mod draft;
 pub(crate) mod file;
+mod flight;
+mod flight_file;
 mod graph;
 
 use cordon_spec::theorems::Setting;
@@ -12,6 +14,7 @@ use cordon_spec::{Params, Phase, State};
 
 pub use draft::{Draft, Start};
 pub use file::{parse, read};
+pub use flight::{Fault, FaultKind, Flight};
 pub use graph::Topology;
 
 use crate::Rational;

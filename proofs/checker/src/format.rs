@@ -17,9 +17,9 @@ pub const SCHEMA: &str = "cordon-certificate/1";
 /// small multiple of it.
 pub const MAX_BYTES: usize = 4 << 20;
 
-/// Longest number, in characters: arithmetic is quadratic in it, and 10,000 drones multiply
-/// by eps. Fractions of 500 digits bracket an algebraic eps far beyond any use.
-pub const MAX_NUMBER: usize = 1_000;
+/// Longest number, in characters: arithmetic is quadratic in it. Room for fractions of 1,000
+/// digits, the finest bracket of a critical eps that `cordon threshold` gives.
+pub const MAX_NUMBER: usize = 2_100;
 
 /// Most factors of a product. The theorems need 5.
 pub const MAX_FACTORS: usize = 8;

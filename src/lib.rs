@@ -15,6 +15,8 @@ pub mod export;
 pub mod fast;
 pub mod figures;
 pub mod files;
+pub mod fmi;
+pub mod interchange;
 pub mod linear;
 pub mod own_protocol;
 pub mod projection;

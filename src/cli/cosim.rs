@@ -11,6 +11,7 @@ use crate::cosim::store::{self, Format};
 use crate::cosim::swarm::Swarm;
 use crate::cosim::{exact_run, run as engine, summary};
 use crate::exact;
+use crate::fmi::import::substitute;
 use crate::scenario::Flight;
 use crate::{Error, Outcome, Result};
 
@@ -102,7 +103,8 @@ impl FlightArgs {
             seed: self.seed,
             ..Flight::default()
         };
-        let swarm = scenario.in_file(Swarm::new(checked, flight.replaced_by(flags)))?;
+        let mut swarm = scenario.in_file(Swarm::new(checked, flight.replaced_by(flags)))?;
+        swarm.load = substitute;
         match self.compat {
             Some(Compat::Recorded) => swarm.as_recorded(),
             None => Ok(swarm),
@@ -115,6 +117,11 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let swarm = args.flight.swarm(&args.scenario)?;
     let record = flown(&swarm, args.progress)?;
     let difference = match args.exact {
+        true if !swarm.units.is_empty() => {
+            return Err(Error::input(
+                "exact: expected units of this program: FMUs compute in doubles",
+            ));
+        }
         true => Some(exact_run::difference(&swarm, &record)?),
         false => None,
     };

@@ -7,6 +7,7 @@ mod cosim;
 mod errata;
 mod export;
 mod figures;
+mod fmu;
 mod local;
 pub mod own_protocol;
 mod prove;
@@ -60,6 +61,8 @@ pub enum Command {
     Figures(figures::Args),
     /// Write a run as one HTML page to look at: play, pause, scrub, collisions marked
     Replay(Box<replay::Args>),
+    /// Write the units of the co-simulation as FMUs
+    Fmu(Box<fmu::Args>),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
     /// Re-establish the paper's slips by computation, now
@@ -79,7 +82,7 @@ pub enum Command {
     /// Show what is known of each theorem: run now, verified by record, or not run
     Verify(verify::Args),
     /// Write the protocol, its theorems or a scenario for other tools
-    Export(export::Args),
+    Export(Box<export::Args>),
     /// Print a completion script for a shell
     Completions(setup::Args),
     /// Print the manual page (roff; read it with `cordon man | man -l -`)
@@ -99,6 +102,7 @@ impl Cli {
             Command::Cosim(args) => cosim::run(&args, out),
             Command::Figures(args) => figures::run(&args, out),
             Command::Replay(args) => replay::run(&args, out),
+            Command::Fmu(args) => fmu::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
             Command::Errata(args) => errata::run(&args, out),
             Command::Sweep(args) => sweep::run(&args, out),

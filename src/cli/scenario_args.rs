@@ -5,13 +5,15 @@ use std::path::PathBuf;
 use cordon_spec::Phase;
 
 use crate::exact::{self, Rational};
+use crate::interchange::into_cps;
 use crate::scenario::{self, Draft, Flight, Scenario, Start};
 use crate::{Error, Result};
 
 /// A scenario file, flags, or a file with flags in place of some of its fields.
 #[derive(clap::Args, Clone, Debug, Default)]
 pub struct ScenarioArgs {
-    /// Scenario file (TOML), see `scenarios/`; flags replace its fields
+    /// Scenario file (TOML), see `scenarios/`, or INTO-CPS multi-model (.json); flags replace its
+    /// fields
     #[arg(value_name = "SCENARIO")]
     pub file: Option<PathBuf>,
     /// Number of drones, 3 or more [default: the length of the start]
@@ -70,6 +72,7 @@ impl ScenarioArgs {
     /// The file cannot be read or a field is wrong.
     pub fn scenario_and_flight(&self) -> Result<(Scenario, Flight)> {
         let file = match &self.file {
+            Some(path) if into_cps::is_multi_model(path) => into_cps::read(path)?,
             Some(path) => scenario::read(path)?,
             None => Draft::default(),
         };

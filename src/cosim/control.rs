@@ -7,8 +7,8 @@ use super::body_variables as body_parameters;
 use super::grid::Grid;
 use super::physics::{Body, single};
 use super::unit::{
-    Causality, Dimension, Kind, Unit, UnitError, Value, Variable, at_variable, expect_real,
-    no_such_variable, not_settable, wrong_kind,
+    Causality, Dimension, Kind, Resumable, Unit, UnitError, Value, Variable, at_variable,
+    expect_real, no_such_variable, not_settable, recalled_reals, wrong_kind,
 };
 
 /// Gains of the controller, per second: how fast the error falls.
@@ -268,6 +268,17 @@ impl Unit for Control {
 
     fn do_step(&mut self, _: &Grid, _: u64) -> Result<(), UnitError> {
         self.rotors = self.law.rotors(self.wanted, self.state);
+        Ok(())
+    }
+}
+
+impl Resumable for Control {
+    fn memory(&self) -> Vec<Value> {
+        self.rotors.map(Value::Real).into()
+    }
+
+    fn recall(&mut self, memory: &[Value]) -> Result<(), UnitError> {
+        self.rotors = recalled_reals(self, memory)?;
         Ok(())
     }
 }

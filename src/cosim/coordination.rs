@@ -13,7 +13,8 @@ use self::machine::Machine;
 use super::grid::Grid;
 use super::quotient::Quotient;
 use super::unit::{
-    Kind, Unit, UnitError, Value, Variable, at_variable, no_such_variable, not_settable, wrong_kind,
+    Kind, Resumable, Unit, UnitError, Value, Variable, at_variable, no_memory, no_such_variable,
+    not_settable, wrong_kind,
 };
 use crate::exact::{self, Rational};
 
@@ -347,5 +348,31 @@ impl Unit for Coordination {
 
     fn lost(&mut self, _: usize) {
         self.missed = true;
+    }
+}
+
+impl Resumable for Coordination {
+    fn memory(&self) -> Vec<Value> {
+        vec![
+            Value::Exact(self.own.clone()),
+            Value::Integer(self.machine.counter().into()),
+            Value::Boolean(self.missed),
+        ]
+    }
+
+    fn recall(&mut self, memory: &[Value]) -> Result<(), UnitError> {
+        let [Value::Exact(own), Value::Integer(counter), Value::Boolean(missed)] = memory else {
+            return Err(no_memory(self));
+        };
+        match u32::try_from(*counter) {
+            Ok(counter) if counter < self.settings.period => {
+                self.machine.resume(own.clone(), counter);
+            }
+            _ => return Err(no_memory(self)),
+        }
+        self.own = own.clone();
+        self.x_d = self.settings.exchange.round(own);
+        self.missed = *missed;
+        Ok(())
     }
 }

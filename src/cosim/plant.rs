@@ -6,8 +6,8 @@ use super::body_variables as body_parameters;
 use super::grid::Grid;
 use super::physics::Body;
 use super::unit::{
-    Causality, Dimension, Kind, Unit, UnitError, Value, Variable, at_variable, expect_real,
-    no_such_variable, not_settable, wrong_kind,
+    Causality, Dimension, Kind, Resumable, Unit, UnitError, Value, Variable, at_variable,
+    expect_real, no_such_variable, not_settable, recalled_reals, wrong_kind,
 };
 
 /// How the plant advances by a communication step. Inputs stay as they are meanwhile.
@@ -272,6 +272,17 @@ impl Unit for Plant {
             Integrator::Euler => self.euler(tau),
             Integrator::Exact => self.exact(tau),
         }
+        Ok(())
+    }
+}
+
+impl Resumable for Plant {
+    fn memory(&self) -> Vec<Value> {
+        self.state.map(Value::Real).into()
+    }
+
+    fn recall(&mut self, memory: &[Value]) -> Result<(), UnitError> {
+        self.state = recalled_reals(self, memory)?;
         Ok(())
     }
 }

@@ -13,7 +13,7 @@ use super::record::Setup;
 use super::unit::{Unit, UnitError, Value};
 use super::wiring::{Port, Timing, Wiring};
 use crate::exact::{self, Rational};
-use crate::scenario::{Fault, Flight, Protocol, Scenario};
+use crate::scenario::{Fault, Flight, Protocol, Scenario, Substitute, UnitName};
 use crate::{Error, Result};
 
 /// A checked co-simulation scenario.
@@ -41,10 +41,26 @@ pub struct Swarm {
     pub on_loss: OnLoss,
     /// What goes wrong.
     pub faults: Vec<Fault>,
+    /// FMUs in the place of units.
+    pub units: Vec<Substitute>,
+    /// What loads them.
+    pub load: Loader,
     /// Seed of everything random.
     pub seed: u64,
     /// The arithmetic of the recorded runs, to the last bit.
     pub recorded: bool,
+}
+
+/// Loads an FMU in the place of a unit: the answer has the unit's name and variables.
+pub type Loader = fn(&Substitute, Box<dyn Unit>) -> Result<Box<dyn Unit>>;
+
+/// Where nothing can load FMUs.
+fn no_loader(substitute: &Substitute, unit: Box<dyn Unit>) -> Result<Box<dyn Unit>> {
+    Err(Error::input(format!(
+        "unit `{}`: `{}`: expected a unit of this program: nothing loads FMUs here",
+        unit.name(),
+        substitute.fmu.display()
+    )))
 }
 
 /// Defaults of the paper's runs: seconds a tick as a fraction, seconds of a run, gains.
@@ -111,6 +127,8 @@ impl Swarm {
                 _ => None,
             })?,
             faults: flight.faults,
+            units: flight.units,
+            load: no_loader,
             seed: flight.seed.unwrap_or_default(),
             recorded: false,
             scenario,
@@ -234,8 +252,26 @@ impl Swarm {
     /// the plant after it.
     ///
     /// # Errors
-    /// A fault that does not fit the swarm.
+    /// A fault that does not fit the swarm, or an FMU that does not fit its place.
     pub fn wiring(&self) -> Result<Wiring> {
+        let mut wiring = self.wired_here()?;
+        for substitute in &self.units {
+            let count = self.count();
+            if substitute.drone >= count {
+                return Err(Error::input(format!(
+                    "unit: drone {}: expected one of the {count} drones, from 0",
+                    substitute.drone
+                )));
+            }
+            let place = UnitName::ALL.iter().position(|u| *u == substitute.unit);
+            let place = 3 * substitute.drone + place.unwrap_or_default();
+            wiring.substitute(place, |unit| (self.load)(substitute, unit))?;
+        }
+        Ok(wiring)
+    }
+
+    /// Units of this program and their connections.
+    fn wired_here(&self) -> Result<Wiring> {
         self.wired(&Body {
             coordination: &|i| self.coordination(i),
             control: &|i| Box::new(self.control(i)),

@@ -57,6 +57,42 @@ pub trait Unit: Send {
     fn lost(&mut self, _input: usize) {}
 }
 
+/// A unit whose state can be kept and gone back to.
+pub trait Resumable: Unit {
+    /// What the unit remembers besides its parameters and inputs.
+    fn memory(&self) -> Vec<Value>;
+
+    /// Takes up where [`memory`](Resumable::memory) was asked for. Called after
+    /// [`initialise`](Unit::initialise), with the same parameters and inputs.
+    ///
+    /// # Errors
+    /// This is no memory of such a unit.
+    fn recall(&mut self, memory: &[Value]) -> Result<(), UnitError>;
+}
+
+/// The doubles of a memory that has `N` of them.
+///
+/// # Errors
+/// It has another shape.
+pub fn recalled_reals<const N: usize>(
+    unit: &dyn Unit,
+    memory: &[Value],
+) -> Result<[f64; N], UnitError> {
+    let reals: Option<Vec<f64>> = memory
+        .iter()
+        .map(|v| match v {
+            Value::Real(x) => Some(*x),
+            _ => None,
+        })
+        .collect();
+    reals.and_then(|r| <[f64; N]>::try_from(r).ok()).ok_or_else(|| no_memory(unit))
+}
+
+/// The error of [`Resumable::recall`].
+pub fn no_memory(unit: &dyn Unit) -> UnitError {
+    UnitError::new(unit.name(), None, "this is no state of such a unit")
+}
+
 /// A variable of a unit, as an FMI model description has it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variable {

@@ -102,6 +102,32 @@ impl Wiring {
         self.outages.entry(unit).or_default().push(steps);
     }
 
+    /// Puts another unit in the place of one. It has to have the same variables.
+    ///
+    /// # Errors
+    /// The other one cannot be had.
+    pub fn substitute(
+        &mut self,
+        place: usize,
+        other: impl FnOnce(Box<dyn Unit>) -> Result<Box<dyn Unit>>,
+    ) -> Result<()> {
+        if place < self.units.len() {
+            let unit = self.units.remove(place);
+            self.units.insert(place, other(unit)?);
+        }
+        Ok(())
+    }
+
+    /// The connections, each from an output to an input.
+    pub fn connections(&self) -> impl Iterator<Item = (Port, Port)> {
+        self.connections.iter().map(|c| (c.from, c.to))
+    }
+
+    /// The inputs that nothing is connected to, with the values that they are held at.
+    pub fn held(&self) -> impl Iterator<Item = (Port, &Value)> {
+        self.held.iter().map(|(port, value)| (*port, value))
+    }
+
     /// Checks everything that can be checked before the run.
     pub(super) fn check(&self) -> Result<()> {
         self.check_names()?;

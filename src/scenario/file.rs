@@ -7,7 +7,7 @@ use cordon_spec::Phase;
 use serde::Deserialize;
 use toml::{Spanned, Value};
 
-use super::flight_file::{self, FaultTable, FlightTable};
+use super::flight_file::{self, FaultTable, FlightTable, UnitTable};
 use super::{Draft, Start};
 use crate::exact::{self, Rational};
 use crate::{Error, Result, files};
@@ -36,6 +36,8 @@ struct Document {
     flight: FlightTable,
     #[serde(default)]
     fault: Vec<FaultTable>,
+    #[serde(default)]
+    unit: Vec<UnitTable>,
 }
 
 /// Reads a scenario file.
@@ -91,7 +93,7 @@ pub fn parse(name: &str, text: &str) -> Result<Draft> {
         graph,
         edges,
         displacement: numbers("displacement", doc.displacement)?,
-        flight: flight_file::flight(&source, doc.flight, &doc.fault)?,
+        flight: flight_file::flight(&source, doc.flight, &doc.fault, doc.unit)?,
     })
 }
 

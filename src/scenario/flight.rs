@@ -1,4 +1,8 @@
-//! What a scenario says about the drones' bodies: the table `[flight]` and the list `[[fault]]`.
+//! What a scenario says about the drones' bodies: the table `[flight]`, the lists `[[fault]]`
+//! and `[[unit]]`.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
 
 use crate::exact::Rational;
 
@@ -27,6 +31,46 @@ pub struct Flight {
     pub seed: Option<u64>,
     /// What goes wrong.
     pub faults: Vec<Fault>,
+    /// FMUs in the place of units.
+    pub units: Vec<Substitute>,
+}
+
+/// An FMU in the place of a unit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Substitute {
+    /// Whose unit.
+    pub drone: usize,
+    /// Which of its units.
+    pub unit: UnitName,
+    /// The FMU.
+    pub fmu: PathBuf,
+    /// The FMU's names of variables that it calls otherwise than the unit does.
+    pub names: BTreeMap<String, String>,
+}
+
+/// The units of a drone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnitName {
+    /// Its share of the protocol.
+    Coordination,
+    /// The controller.
+    Control,
+    /// The quadcopter.
+    Plant,
+}
+
+impl UnitName {
+    /// All of them, in the order in which a drone has them.
+    pub const ALL: [Self; 3] = [Self::Coordination, Self::Control, Self::Plant];
+
+    /// Its name in scenario files and messages.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Coordination => "coordination",
+            Self::Control => "control",
+            Self::Plant => "plant",
+        }
+    }
 }
 
 /// Something that goes wrong during a run.
@@ -80,6 +124,7 @@ impl Flight {
             z_d: other.z_d.or(self.z_d),
             seed: other.seed.or(self.seed),
             faults: if other.faults.is_empty() { self.faults } else { other.faults },
+            units: if other.units.is_empty() { self.units } else { other.units },
         }
     }
 }

@@ -1,10 +1,13 @@
 //! The tables `[flight]` and `[[fault]]` of a scenario file.
 
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
 use serde::Deserialize;
 use toml::{Spanned, Value};
 
 use super::file::Source;
-use super::flight::{Fault, FaultKind, Flight};
+use super::flight::{Fault, FaultKind, Flight, Substitute, UnitName};
 use crate::Result;
 use crate::exact::Rational;
 
@@ -39,11 +42,23 @@ pub(super) struct FaultTable {
     until: Option<Spanned<Value>>,
 }
 
+/// A table `[[unit]]` as written.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct UnitTable {
+    drone: usize,
+    unit: Spanned<String>,
+    fmu: PathBuf,
+    #[serde(default)]
+    names: BTreeMap<String, String>,
+}
+
 /// The flight that a file describes.
 pub(super) fn flight(
     source: &Source<'_>,
     table: FlightTable,
     faults: &[FaultTable],
+    units: Vec<UnitTable>,
 ) -> Result<Flight> {
     let number = |field: &str, value: &Option<Spanned<Value>>| -> Result<Option<Rational>> {
         value.as_ref().map(|v| source.number(field, v)).transpose()
@@ -63,6 +78,7 @@ pub(super) fn flight(
         on_loss: table.on_loss,
         seed: table.seed,
         faults: faults.iter().map(|f| fault(source, f)).collect::<Result<_>>()?,
+        units: units.into_iter().map(|u| substitute(source, u)).collect::<Result<_>>()?,
     })
 }
 
@@ -104,4 +120,19 @@ fn fault(source: &Source<'_>, t: &FaultTable) -> Result<Fault> {
         _ => FaultKind::DropOut { drone: t.drone.ok_or_else(|| missing("drone"))? },
     };
     Ok(Fault { kind, from: number("from", &t.from)?, until: number("until", &t.until)? })
+}
+
+/// FMUs are looked for beside the scenario file.
+fn substitute(source: &Source<'_>, t: UnitTable) -> Result<Substitute> {
+    let name = t.unit.get_ref().as_str();
+    let unit = UnitName::ALL.into_iter().find(|u| u.name() == name).ok_or_else(|| {
+        let message =
+            format!("unit: `{name}` is unknown: expected `coordination`, `control` or `plant`");
+        source.error(&t.unit.span(), &message)
+    })?;
+    let fmu = match Path::new(source.name).parent() {
+        Some(folder) => folder.join(t.fmu),
+        None => t.fmu,
+    };
+    Ok(Substitute { drone: t.drone, unit, fmu, names: t.names })
 }

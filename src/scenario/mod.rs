@@ -14,7 +14,7 @@ use cordon_spec::{Params, Phase, State};
 
 pub use draft::{Draft, Start};
 pub use file::{parse, read};
-pub use flight::{Fault, FaultKind, Flight};
+pub use flight::{Fault, FaultKind, Flight, Substitute, UnitName};
 pub use graph::Topology;
 
 use crate::Rational;

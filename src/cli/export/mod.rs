@@ -1,5 +1,6 @@
 //! `cordon export`.
 
+mod assembly;
 mod pvs;
 mod smt2;
 mod vectors;
@@ -27,6 +28,10 @@ pub enum Target {
     Pvs(pvs::Args),
     /// Test vectors for the mechanised mirrors, computed by the spec
     Vectors(vectors::Args),
+    /// The co-simulation as an INTO-CPS multi-model (for Maestro), the FMUs beside it
+    IntoCps(Box<assembly::ExportArgs>),
+    /// The co-simulation as an SSP archive (for FMPy or OMSimulator), the FMUs in it
+    Ssp(Box<assembly::ExportArgs>),
 }
 
 /// Exports.
@@ -35,5 +40,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         Target::Smt2(args) => smt2::run(args, out),
         Target::Pvs(args) => pvs::run(args, out),
         Target::Vectors(args) => vectors::run(args, out),
+        Target::IntoCps(args) => assembly::into_cps(args, out),
+        Target::Ssp(args) => assembly::ssp(args, out),
     }
 }

@@ -127,4 +127,21 @@ impl Machine {
             }
         }
     }
+
+    /// Ticks since the last update.
+    pub(super) fn counter(&self) -> u32 {
+        match self {
+            Self::Local(_, s) => s.timesteps,
+            Self::Star(_, s) => s.timesteps,
+        }
+    }
+
+    /// Takes up where the drone was at `own` and the counter at `counter`.
+    pub(super) fn resume(&mut self, own: Quotient, counter: u32) {
+        self.put_back(own);
+        match self {
+            Self::Local(_, s) => s.timesteps = counter,
+            Self::Star(_, s) => s.timesteps = counter,
+        }
+    }
 }

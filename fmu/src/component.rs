@@ -1,0 +1,266 @@
+//! What both versions of the interface share: an instance, its log, and the guard around calls.
+
+use std::ffi::{CStr, CString, c_char, c_uint, c_void};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use cordon::cosim::unit::Value;
+use cordon::fmi::slave::{Fault, Severity, Slave};
+use cordon::fmi::snapshot::Snapshot;
+
+use crate::convert;
+
+/// The status codes that are returned here; FMI 2.0 and FMI 3.0 agree in them.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// All well.
+    Ok = 0,
+    /// The call was refused; the instance is as it was.
+    Error = 3,
+    /// The instance is of no more use.
+    Fatal = 4,
+}
+
+/// The category of messages in the log: the only one.
+pub const LOG_CATEGORY: &CStr = c"logStatusError";
+
+/// Where the messages of an instance go.
+pub trait Log {
+    /// Hands a message to the importer.
+    fn log(&self, instance: &CStr, status: Status, message: &CStr);
+}
+
+/// An instance of an FMU.
+pub struct Component<L> {
+    /// The name that the importer gave it.
+    pub name: CString,
+    /// The unit under the rules of the standard.
+    pub slave: Slave,
+    /// The importer's logger.
+    pub log: L,
+    /// Texts handed out; they live until the next call.
+    pub texts: Vec<CString>,
+}
+
+impl<L: Log> Component<L> {
+    /// Logs a fault; its status.
+    fn report(&self, fault: &Fault) -> Status {
+        let status = status_of(fault);
+        self.log.log(&self.name, status, &c_text(&fault.message));
+        status
+    }
+}
+
+/// The status that a fault becomes.
+pub fn status_of(fault: &Fault) -> Status {
+    match fault.severity {
+        Severity::Error => Status::Error,
+        Severity::Fatal => Status::Fatal,
+    }
+}
+
+/// A text for C; zero bytes, which C cannot hold, are left out.
+pub fn c_text(text: &str) -> CString {
+    let bytes: Vec<u8> = text.bytes().filter(|b| *b != 0).collect();
+    CString::new(bytes).unwrap_or_default()
+}
+
+/// Hands an instance to the importer.
+pub fn hand_out<L>(component: Component<L>) -> *mut c_void {
+    Box::into_raw(Box::new(component)).cast()
+}
+
+/// Frees an instance; of a null pointer nothing is freed, as the standards want.
+///
+/// # Safety
+/// `instance` is null or came from [`hand_out`] with the same `L` and was not freed.
+pub unsafe fn free<L>(instance: *mut c_void) {
+    if !instance.is_null() {
+        // SAFETY: it came out of `Box::into_raw` in `hand_out`, once.
+        drop(unsafe { Box::from_raw(instance.cast::<Component<L>>()) });
+    }
+}
+
+/// Runs `body` on an instance: faults go to its log and become a status, a panic makes the
+/// instance fatal.
+///
+/// # Safety
+/// `instance` is null or came from [`hand_out`] with the same `L`, was not freed, and is used by
+/// this thread alone during the call.
+pub unsafe fn with<L: Log>(
+    instance: *mut c_void,
+    body: impl FnOnce(&mut Component<L>) -> Result<(), Fault>,
+) -> Status {
+    // SAFETY: the caller vouches for it.
+    let Some(component) = (unsafe { instance.cast::<Component<L>>().as_mut() }) else {
+        return Status::Error;
+    };
+    let ended = catch_unwind(AssertUnwindSafe(|| body(component)));
+    match ended {
+        Ok(Ok(())) => Status::Ok,
+        Ok(Err(fault)) => component.report(&fault),
+        Err(_) => {
+            component.slave.give_up();
+            component.report(&Fault::fatal("internal fault: the instance cannot be used any more"))
+        }
+    }
+}
+
+/// Keeps the present state at `*state`: in the snapshot that is there, or in a new one.
+///
+/// # Safety
+/// `state` is null or points to null or to a snapshot made here and not freed.
+pub unsafe fn save<L>(c: &Component<L>, state: *mut *mut c_void) -> Result<(), Fault> {
+    // SAFETY: the caller vouches for it.
+    let state = unsafe { convert::place(state) }?;
+    let snapshot = c.slave.save()?;
+    // SAFETY: null or a snapshot of ours, by the caller.
+    match unsafe { state.cast::<Snapshot>().as_mut() } {
+        Some(old) => *old = snapshot,
+        None => *state = Box::into_raw(Box::new(snapshot)).cast(),
+    }
+    Ok(())
+}
+
+/// The snapshot at `state`.
+///
+/// # Safety
+/// `state` is null or a snapshot made here and not freed during `'a`.
+pub unsafe fn snapshot<'a>(state: *mut c_void) -> Result<&'a Snapshot, Fault> {
+    // SAFETY: the caller vouches for it.
+    unsafe { state.cast::<Snapshot>().as_ref() }
+        .ok_or_else(|| Fault::error("the importer passed a null pointer for a state"))
+}
+
+/// Frees the snapshot at `*state` and leaves null there.
+///
+/// # Safety
+/// `state` is null or points to null or to a snapshot made here and not freed.
+pub unsafe fn free_snapshot(state: *mut *mut c_void) -> Result<(), Fault> {
+    // SAFETY: the caller vouches for it.
+    let state = unsafe { convert::place(state) }?;
+    if !state.is_null() {
+        // SAFETY: it came out of `Box::into_raw` here, once.
+        drop(unsafe { Box::from_raw(state.cast::<Snapshot>()) });
+        *state = std::ptr::null_mut();
+    }
+    Ok(())
+}
+
+/// Writes the bytes of the snapshot at `state` to the `size` bytes at `bytes`.
+///
+/// # Safety
+/// `state` as for [`snapshot`]; at `bytes` there is room for `size` bytes.
+pub unsafe fn serialize(state: *mut c_void, bytes: *mut u8, size: usize) -> Result<(), Fault> {
+    // SAFETY: the caller vouches for it.
+    let snapshot = unsafe { snapshot(state) }?;
+    // SAFETY: the caller vouches for it.
+    let room = unsafe { convert::slice_mut(bytes, size) }?;
+    let written = snapshot.to_bytes();
+    match room.get_mut(..written.len()) {
+        Some(room) => {
+            room.copy_from_slice(&written);
+            Ok(())
+        }
+        None => Err(Fault::error(format!(
+            "a serialised state needs {} bytes: the importer gave room for {size}",
+            written.len()
+        ))),
+    }
+}
+
+/// Makes a snapshot from the `size` bytes at `bytes` and puts it at `*state`.
+///
+/// # Safety
+/// `size` bytes are at `bytes`; `state` as for [`save`].
+pub unsafe fn deserialize<L>(
+    c: &Component<L>,
+    bytes: *const u8,
+    size: usize,
+    state: *mut *mut c_void,
+) -> Result<(), Fault> {
+    // SAFETY: the caller vouches for it.
+    let bytes = unsafe { convert::slice(bytes, size) }?;
+    // SAFETY: the caller vouches for it.
+    let state = unsafe { convert::place(state) }?;
+    let snapshot = c.slave.snapshot_from_bytes(bytes)?;
+    *state = Box::into_raw(Box::new(snapshot)).cast();
+    Ok(())
+}
+
+/// The bytes that the snapshot at `state` needs.
+///
+/// # Safety
+/// `state` as for [`snapshot`]; `size` is null or can be written.
+pub unsafe fn serialized_size(state: *mut c_void, size: *mut usize) -> Result<(), Fault> {
+    // SAFETY: the caller vouches for it.
+    let size = unsafe { convert::place(size) }?;
+    // SAFETY: the caller vouches for it.
+    *size = unsafe { snapshot(state) }?.to_bytes().len();
+    Ok(())
+}
+
+/// Reads texts into `values`; they live until the next call.
+///
+/// # Safety
+/// `references` and `values` have `count` elements.
+pub unsafe fn get_texts<L>(
+    c: &mut Component<L>,
+    references: *const c_uint,
+    values: *mut *const c_char,
+    count: usize,
+) -> Result<(), Fault> {
+    // SAFETY: the caller vouches for it.
+    let references = unsafe { convert::slice(references, count) }?;
+    // SAFETY: the caller vouches for it.
+    let values = unsafe { convert::slice_mut(values, count) }?;
+    let read = |r: &c_uint| c.slave.text(*r).map(|t| c_text(&t));
+    c.texts = references.iter().map(read).collect::<Result<_, _>>()?;
+    for (place, text) in values.iter_mut().zip(&c.texts) {
+        *place = text.as_ptr();
+    }
+    Ok(())
+}
+
+/// Sets texts.
+///
+/// # Safety
+/// `references` and `values` have `count` elements; the values are strings.
+pub unsafe fn set_texts<L>(
+    c: &mut Component<L>,
+    references: *const c_uint,
+    values: *const *const c_char,
+    count: usize,
+) -> Result<(), Fault> {
+    // SAFETY: the caller vouches for it.
+    let references = unsafe { convert::slice(references, count) }?;
+    // SAFETY: the caller vouches for it.
+    let values = unsafe { convert::slice(values, count) }?;
+    for (reference, value) in references.iter().zip(values) {
+        // SAFETY: the caller vouches for it.
+        let text = unsafe { convert::text(*value) }?;
+        c.slave.set(*reference, &Value::Text(text.into()))?;
+    }
+    Ok(())
+}
+
+/// Checks that the importer asks for categories of messages that there are.
+///
+/// # Safety
+/// `categories` are `count` strings.
+pub unsafe fn known_categories(
+    categories: *const *const c_char,
+    count: usize,
+) -> Result<(), Fault> {
+    // SAFETY: the caller vouches for it.
+    for category in unsafe { convert::slice(categories, count) }? {
+        // SAFETY: the caller vouches for it.
+        let category = unsafe { convert::text(*category) }?;
+        if category.as_bytes() != LOG_CATEGORY.to_bytes() {
+            return Err(Fault::error(format!(
+                "log category `{category}`: expected `logStatusError`, the only one"
+            )));
+        }
+    }
+    Ok(())
+}

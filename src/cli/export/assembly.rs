@@ -1,0 +1,79 @@
+//! `cordon export into-cps` and `cordon export ssp`: a co-simulation with its FMUs.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use crate::cli::cosim::FlightArgs;
+use crate::cli::fmu::{BinaryArg, VersionArg};
+use crate::cli::scenario_args::ScenarioArgs;
+use crate::fmi::interface::FmiVersion;
+use crate::fmi::{binary, package};
+use crate::interchange::{Assembly, into_cps, ssp};
+use crate::{Error, Outcome, Result, files};
+
+/// Arguments of both.
+#[derive(clap::Args, Debug)]
+pub struct ExportArgs {
+    #[command(flatten)]
+    scenario: ScenarioArgs,
+    #[command(flatten)]
+    flight: FlightArgs,
+    /// What to write: a folder (multi-model) or a file (SSP)
+    #[arg(long, value_name = "PATH")]
+    out: PathBuf,
+    /// Version of the FMI standard
+    #[arg(long, value_enum, default_value_t = VersionArg::Two)]
+    fmi: VersionArg,
+    #[command(flatten)]
+    binary: BinaryArg,
+}
+
+fn assembly(args: &ExportArgs) -> Result<(Assembly, FmiVersion, Vec<u8>)> {
+    let swarm = args.flight.swarm(&args.scenario)?;
+    let assembly = args.scenario.in_file(Assembly::of(&swarm))?;
+    Ok((assembly, args.fmi.into(), binary::load(args.binary.binary.as_deref())?))
+}
+
+/// Writes an INTO-CPS multi-model.
+pub(super) fn into_cps(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome> {
+    let (assembly, version, binary) = assembly(args)?;
+    let model = into_cps::multi_model(&assembly);
+    let text = serde_json::to_vec_pretty(&model)
+        .map_err(|e| Error::input(format!("the multi-model cannot be written: {e}")))?;
+    let mut written = Vec::new();
+    for m in assembly.models() {
+        written.push((into_cps::fmu_file(m), package::fmu(m, version, &binary)?));
+    }
+    // The multi-model comes last: where it is, its FMUs are.
+    written.push((into_cps::FILE_NAME.to_owned(), text));
+    std::fs::create_dir_all(&args.out).map_err(|e| Error::file("create", &args.out, e))?;
+    for (name, content) in &written {
+        files::write_atomically(&args.out.join(name), content)?;
+    }
+    writeln!(
+        out,
+        "{}: INTO-CPS multi-model, FMI {version}, {}",
+        args.out.join(into_cps::FILE_NAME).display(),
+        size(&assembly)
+    )?;
+    Ok(Outcome::Holds)
+}
+
+/// Writes an SSP archive.
+pub(super) fn ssp(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome> {
+    let (assembly, version, binary) = assembly(args)?;
+    let archive = ssp::archive(&assembly, version, &binary)?;
+    files::write_atomically(&args.out, &archive)?;
+    writeln!(out, "{}: SSP 1.0, FMI {version}, {}", args.out.display(), size(&assembly))?;
+    Ok(Outcome::Holds)
+}
+
+fn size(assembly: &Assembly) -> String {
+    format!(
+        "{} units, {} connections, {} steps of {} s",
+        assembly.instances.len(),
+        assembly.connections.len(),
+        assembly.steps,
+        assembly.tau
+    )
+}

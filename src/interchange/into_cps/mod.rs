@@ -1,0 +1,51 @@
+//! INTO-CPS multi-models: the JSON that Maestro and the INTO-CPS application read.
+//!
+//! One file holds the multi-model (`fmus`, `connections`, `parameters`) and the configuration of
+//! the co-simulation (`algorithm`, `endTime`, `logVariables`), as Maestro takes it.
+
+mod ports;
+mod read;
+mod write;
+
+pub use read::{is_multi_model, read};
+pub use write::{FILE_NAME, fmu_file, multi_model};
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+/// A multi-model with its configuration.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct MultiModel {
+    /// Files of the FMUs by their keys, `{key}`.
+    pub fmus: BTreeMap<String, String>,
+    /// From an output `{key}.instance.variable` to inputs.
+    pub connections: BTreeMap<String, Vec<String>>,
+    /// Values of parameters, and of inputs that nothing is connected to.
+    #[serde(default)]
+    pub parameters: BTreeMap<String, serde_json::Value>,
+    /// How the master steps.
+    #[serde(default)]
+    pub algorithm: Option<MasterAlgorithm>,
+    /// Start in seconds.
+    #[serde(default)]
+    pub start_time: Option<f64>,
+    /// End in seconds.
+    #[serde(default)]
+    pub end_time: Option<f64>,
+    /// Variables to keep, by instance `{key}.instance`.
+    #[serde(default)]
+    pub log_variables: BTreeMap<String, Vec<String>>,
+}
+
+/// How the master steps.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MasterAlgorithm {
+    /// `fixed-step`.
+    #[serde(rename = "type")]
+    pub kind: String,
+    /// Seconds a step.
+    #[serde(default)]
+    pub size: Option<f64>,
+}

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use cordon_spec::Phase;
 
 use crate::exact::{self, Rational};
-use crate::scenario::{self, Draft, Scenario, Start};
+use crate::scenario::{self, Draft, Flight, Scenario, Start};
 use crate::{Error, Result};
 
 /// A scenario file, flags, or a file with flags in place of some of its fields.
@@ -61,18 +61,32 @@ impl ScenarioArgs {
     /// # Errors
     /// The file cannot be read or a field is wrong.
     pub fn scenario(&self) -> Result<Scenario> {
+        self.scenario_and_flight().map(|(scenario, _)| scenario)
+    }
+
+    /// The checked scenario, and what it says about the drones' bodies.
+    ///
+    /// # Errors
+    /// The file cannot be read or a field is wrong.
+    pub fn scenario_and_flight(&self) -> Result<(Scenario, Flight)> {
         let file = match &self.file {
             Some(path) => scenario::read(path)?,
             None => Draft::default(),
         };
-        let in_file = |e: Error| match (&self.file, e) {
+        let flags = self.draft()?;
+        let draft = file.replaced_by(flags);
+        let flight = draft.flight.clone();
+        Ok((self.in_file(draft.finish())?, flight))
+    }
+
+    /// Names the file in an error about what it says.
+    pub(super) fn in_file<T>(&self, result: Result<T>) -> Result<T> {
+        result.map_err(|e| match (&self.file, e) {
             (Some(path), Error::Input(message)) => {
                 Error::input(format!("{}: {message}", path.display()))
             }
             (_, e) => e,
-        };
-        let flags = self.draft()?;
-        file.replaced_by(flags).finish().map_err(in_file)
+        })
     }
 
     fn draft(&self) -> Result<Draft> {
@@ -99,7 +113,11 @@ impl ScenarioArgs {
     }
 }
 
-fn positions(list: &str) -> Result<Vec<Rational>> {
+/// The positions of a list like `0,10,20.5,1/3`.
+///
+/// # Errors
+/// An entry that is no number.
+pub(super) fn positions(list: &str) -> Result<Vec<Rational>> {
     list.split(',')
         .enumerate()
         .map(|(i, text)| exact::parse(&format!("start: drone {i}"), text))

@@ -2,7 +2,7 @@
 
 use cordon_spec::Phase;
 
-use super::{MAX_DRONES, MIN_DRONES, Protocol, Scenario, Topology};
+use super::{Flight, MAX_DRONES, MIN_DRONES, Protocol, Scenario, Topology};
 use crate::exact::Rational;
 use crate::{Error, Result};
 
@@ -47,6 +47,8 @@ pub struct Draft {
     pub edges: Option<Vec<(usize, usize)>>,
     /// Wanted displacements (formation).
     pub displacement: Option<Vec<Rational>>,
+    /// The drones' bodies, for co-simulation.
+    pub flight: Flight,
 }
 
 /// Protocol steps of a trace that nobody asked a number of.
@@ -71,6 +73,7 @@ impl Draft {
             graph: other.graph.or(self.graph),
             edges: other.edges.or(self.edges),
             displacement: other.displacement.or(self.displacement),
+            flight: self.flight.replaced_by(other.flight),
         }
     }
 

@@ -4,14 +4,17 @@
 //! place ([`Draft`]); [`Draft::finish`] is the one place that checks it.
 
 mod draft;
-mod file;
+pub(crate) mod file;
+mod flight;
+mod flight_file;
 mod graph;
 
 use cordon_spec::theorems::Setting;
 use cordon_spec::{Params, Phase, State};
 
 pub use draft::{Draft, Start};
-pub use file::read;
+pub use file::{parse, read};
+pub use flight::{Fault, FaultKind, Flight};
 pub use graph::Topology;
 
 use crate::Rational;

@@ -1,0 +1,158 @@
+//! `cordon cosim`.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::scenario_args::ScenarioArgs;
+use crate::cosim::record::Record;
+use crate::cosim::store::{self, Format};
+use crate::cosim::swarm::Swarm;
+use crate::cosim::{exact_run, run as engine, summary};
+use crate::exact;
+use crate::scenario::Flight;
+use crate::{Error, Outcome, Result};
+
+/// Arguments of `cordon cosim`.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    #[command(flatten)]
+    scenario: ScenarioArgs,
+    #[command(flatten)]
+    flight: FlightArgs,
+    /// Write the run into this file; the summary goes to stdout
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Form of the run [default: by the name of `--out`; without it a summary is printed]
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    /// Show progress on stderr
+    #[arg(long)]
+    progress: bool,
+    /// Also run in exact arithmetic and report how far the doubles are off
+    #[arg(long)]
+    exact: bool,
+}
+
+/// The flags of a co-simulation.
+#[derive(clap::Args, Debug, Default)]
+pub struct FlightArgs {
+    /// Length of the run in seconds [default: 25]
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true, help_heading = "Flight")]
+    duration: Option<String>,
+    /// Plant integrator: euler or exact [default: euler]
+    #[arg(long, value_name = "NAME", help_heading = "Flight")]
+    integrator: Option<String>,
+    /// Master: jacobi or gauss-seidel [default: jacobi]
+    #[arg(long, value_name = "NAME", help_heading = "Flight")]
+    master: Option<String>,
+    /// How positions travel between drones: exact or double [default: exact]
+    #[arg(long, value_name = "NAME", help_heading = "Flight")]
+    exchange: Option<String>,
+    /// Seed of the random faults [default: 0]
+    #[arg(long, value_name = "NUMBER", help_heading = "Flight")]
+    seed: Option<u64>,
+    /// Arithmetic of the authors' recorded runs, to the last bit
+    #[arg(long, value_enum, help_heading = "Flight")]
+    compat: Option<Compat>,
+}
+
+/// Known arithmetics of old.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Compat {
+    /// The authors' recorded runs
+    Recorded,
+}
+
+impl FlightArgs {
+    /// Refuses these flags where a run that was flown already is read from a file.
+    ///
+    /// # Errors
+    /// One of them is given.
+    pub(super) fn refuse_for(&self, run: &Path) -> Result<()> {
+        let given = [
+            ("duration", self.duration.is_some()),
+            ("integrator", self.integrator.is_some()),
+            ("master", self.master.is_some()),
+            ("exchange", self.exchange.is_some()),
+            ("seed", self.seed.is_some()),
+            ("compat", self.compat.is_some()),
+        ];
+        match given.iter().find(|(_, is)| *is) {
+            Some((flag, _)) => Err(Error::input(format!(
+                "{flag}: expected a scenario to fly, found a run, `{}`",
+                run.display()
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// The swarm that a scenario and these flags describe.
+    ///
+    /// # Errors
+    /// The scenario cannot be read, or a field is wrong.
+    pub(super) fn swarm(&self, scenario: &ScenarioArgs) -> Result<Swarm> {
+        let (checked, flight) = scenario.scenario_and_flight()?;
+        let flags = Flight {
+            duration: self.duration.as_deref().map(|t| exact::parse("duration", t)).transpose()?,
+            integrator: self.integrator.clone(),
+            master: self.master.clone(),
+            exchange: self.exchange.clone(),
+            seed: self.seed,
+            ..Flight::default()
+        };
+        let swarm = scenario.in_file(Swarm::new(checked, flight.replaced_by(flags)))?;
+        match self.compat {
+            Some(Compat::Recorded) => swarm.as_recorded(),
+            None => Ok(swarm),
+        }
+    }
+}
+
+/// Runs the co-simulation.
+pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    let swarm = args.flight.swarm(&args.scenario)?;
+    let record = flown(&swarm, args.progress)?;
+    let difference = match args.exact {
+        true => Some(exact_run::difference(&swarm, &record)?),
+        false => None,
+    };
+    let mut about = Vec::new();
+    summary::text(&record, &mut about)?;
+    if let Some(d) = &difference {
+        writeln!(about, "\n{d}")?;
+    }
+    match (&args.out, args.format) {
+        (Some(path), format) => {
+            store::save(&record, format.unwrap_or(Format::of(path)), path)?;
+            out.write_all(&about)?;
+        }
+        (None, Some(format)) => {
+            store::write(&record, format, out)?;
+            // stdout carries the run alone.
+            eprint_all(&about);
+        }
+        (None, None) => out.write_all(&about)?,
+    }
+    Ok(Outcome::Holds)
+}
+
+fn eprint_all(text: &[u8]) {
+    // Nothing is left to be done where stderr is closed.
+    let _ = std::io::stderr().write_all(text);
+}
+
+fn flown(swarm: &Swarm, progress: bool) -> Result<Record> {
+    if !progress {
+        return engine::run(swarm, |_| {});
+    }
+    let bar = ProgressBar::new(swarm.grid.steps());
+    // A template of its own that does not parse falls back to the usual bar.
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} step {pos} of {len}, {eta} left") {
+        bar.set_style(style);
+    }
+    let record = engine::run(swarm, |step| bar.set_position(step));
+    bar.finish_and_clear();
+    record
+}

@@ -1,0 +1,67 @@
+//! The variables of a body that plant and control have in common.
+
+use super::physics::Body;
+use super::unit::{Causality, Dimension, Unit, UnitError, Value, Variable, at_variable};
+
+/// How many parameters a [`Body`] has.
+pub(super) const COUNT: usize = 9;
+
+/// The parameters' table.
+pub(super) fn parameters() -> Vec<Variable> {
+    let Body { gravity, mass, thrust, torque, arm, inertia: [ixx, iyy, izz], yaw } =
+        Body::default();
+    let table: [(_, _, _, &'static str); COUNT] = [
+        ("g", Dimension::METRE_PER_SECOND_SQUARED, gravity, "gravity"),
+        ("m", Dimension::KILOGRAM, mass, "mass"),
+        ("Kf", Dimension::THRUST_FACTOR, thrust, "thrust factor"),
+        ("Km", Dimension::TORQUE_FACTOR, torque, "torque factor"),
+        ("arm", Dimension::METRE, arm, "length of an arm"),
+        ("Ixx", Dimension::KILOGRAM_METRE_SQUARED, ixx, "moment of inertia, roll"),
+        ("Iyy", Dimension::KILOGRAM_METRE_SQUARED, iyy, "moment of inertia, pitch"),
+        ("Izz", Dimension::KILOGRAM_METRE_SQUARED, izz, "moment of inertia, yaw"),
+        ("psi_d", Dimension::RADIAN, yaw, "wanted yaw"),
+    ];
+    let parameter = |(name, dimension, start, text)| {
+        Variable::new(name, dimension, Causality::Parameter, Value::Real(start), text)
+    };
+    table.into_iter().map(parameter).collect()
+}
+
+/// The parameter at a place of the table.
+pub(super) fn slot(body: &mut Body, place: usize) -> Option<&mut f64> {
+    let [ixx, iyy, izz] = &mut body.inertia;
+    let slots: [&mut f64; COUNT] = [
+        &mut body.gravity,
+        &mut body.mass,
+        &mut body.thrust,
+        &mut body.torque,
+        &mut body.arm,
+        ixx,
+        iyy,
+        izz,
+        &mut body.yaw,
+    ];
+    slots.into_iter().nth(place)
+}
+
+/// The value of the parameter at a place of the table.
+pub(super) fn value(body: &Body, place: usize) -> Option<f64> {
+    slot(&mut body.clone(), place).copied()
+}
+
+/// Refuses a body that could not fly.
+pub(super) fn check(unit: &dyn Unit, body: &Body) -> Result<(), UnitError> {
+    let refuse = |name: &str, x: f64, expected: &str| {
+        let place = unit.variables().iter().position(|v| v.name == name).unwrap_or(usize::MAX);
+        Err(at_variable(unit, place, format!("`{x}`: expected a {expected}")))
+    };
+    for (name, x) in body.positive() {
+        if !(x.is_finite() && x > 0.0) {
+            return refuse(name, x, "positive number");
+        }
+    }
+    if !body.yaw.is_finite() {
+        return refuse("psi_d", body.yaw, "finite number");
+    }
+    Ok(())
+}

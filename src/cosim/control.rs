@@ -1,0 +1,273 @@
+//! The cascaded controller: position commands attitude, attitude commands rotors
+//! (PROTOCOL section 3; equations 3 and 4 of the paper, corrected).
+
+use std::sync::OnceLock;
+
+use super::body_variables as body_parameters;
+use super::grid::Grid;
+use super::physics::{Body, single};
+use super::unit::{
+    Causality, Dimension, Kind, Unit, UnitError, Value, Variable, at_variable, expect_real,
+    no_such_variable, not_settable, wrong_kind,
+};
+
+/// Gains of the controller, per second: how fast the error falls.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gains {
+    /// lambda_P, of the position.
+    pub position: f64,
+    /// lambda_A, of the attitude.
+    pub attitude: f64,
+}
+
+impl Default for Gains {
+    /// The gains of the paper's runs.
+    fn default() -> Self {
+        Self { position: 0.4, attitude: 4.0 }
+    }
+}
+
+/// Places of the controller's variables.
+pub mod var {
+    /// Wanted position x_d in m; y_d and z_d follow.
+    pub const X_D: usize = 0;
+    /// Wanted position z_d in m.
+    pub const Z_D: usize = 2;
+    /// The plant's twelve outputs, in the plant's order.
+    pub const STATE: usize = 3;
+    /// Rotors 1 to 4: deviations from hover in rad/s.
+    pub const ROTORS: usize = 15;
+    /// Gain lambda_P in 1/s.
+    pub const LAMBDA_P: usize = 19;
+    /// Gain lambda_A in 1/s.
+    pub const LAMBDA_A: usize = 20;
+    /// Whether constants are in single precision, as in the recorded runs.
+    pub const SINGLE: usize = 21;
+    /// The parameters of the body.
+    pub const BODY: usize = 22;
+}
+
+/// The controller of one drone.
+#[derive(Clone, Debug)]
+pub struct Control {
+    name: String,
+    wanted: [f64; 3],
+    /// The plant's state as last read.
+    state: [f64; 12],
+    rotors: [f64; 4],
+    gains: Gains,
+    single_precision: bool,
+    body: Body,
+    law: Law,
+}
+
+/// The constants of the control law, computed once.
+#[derive(Clone, Copy, Debug, Default)]
+struct Law {
+    position: f64,
+    attitude: f64,
+    /// C_z, C_phi, C_theta, C_psi.
+    climb: f64,
+    roll: f64,
+    pitch: f64,
+    turn: f64,
+    /// sin psi_d/g and cos psi_d/g.
+    sin_over_g: f64,
+    cos_over_g: f64,
+    yaw: f64,
+}
+
+impl Law {
+    fn new(body: &Body, gains: Gains) -> Self {
+        let [ixx, iyy, izz] = body.inertia;
+        let hover = body.hover();
+        Self {
+            position: gains.position,
+            attitude: gains.attitude,
+            climb: body.lift(),
+            roll: body.arm * hover / ixx,
+            pitch: body.arm * hover / iyy,
+            turn: body.torque * hover / izz,
+            sin_over_g: body.yaw.sin() / body.gravity,
+            cos_over_g: body.yaw.cos() / body.gravity,
+            yaw: body.yaw,
+        }
+    }
+
+    /// The law of the recorded runs: doubles computed from single-precision constants, of
+    /// which C_z and C_phi were computed before they were rounded.
+    fn recorded(body: &Body, gains: Gains) -> Self {
+        let nominal = Self::new(body, gains);
+        let rounded = Gains { position: single(gains.position), attitude: single(gains.attitude) };
+        Self {
+            climb: single(nominal.climb),
+            roll: single(nominal.roll),
+            ..Self::new(&body.in_single_precision(), rounded)
+        }
+    }
+
+    /// Rotor values. The order of operations is that of the recorded runs.
+    fn rotors(&self, wanted: [f64; 3], state: [f64; 12]) -> [f64; 4] {
+        let [x_d, y_d, z_d] = wanted;
+        let [x, y, z, vx, vy, vz, phi, theta, psi, vphi, vtheta, vpsi] = state;
+        let (lp, la) = (self.position, self.attitude);
+        let u_x = 2.0 * lp * vx + lp * lp * (x - x_d);
+        let u_y = 2.0 * lp * vy + lp * lp * (y - y_d);
+        let phi_c = -u_x * self.sin_over_g + u_y * self.cos_over_g;
+        let theta_c = -u_x * self.cos_over_g - u_y * self.sin_over_g;
+        let w_z = -vz * 2.0 * lp / self.climb - (z - z_d) * lp * lp / self.climb;
+        let attitude = |angle: f64, wanted: f64, speed: f64, c: f64| {
+            -speed * 2.0 * la / c - (angle - wanted) * la * la / c
+        };
+        let w_phi = attitude(phi, phi_c, vphi, self.roll);
+        let w_theta = attitude(theta, theta_c, vtheta, self.pitch);
+        let w_psi = attitude(psi, self.yaw, vpsi, self.turn);
+        [
+            w_z / 4.0 - w_theta / 2.0 + w_psi / 4.0,
+            w_z / 4.0 + w_phi / 2.0 - w_psi / 4.0,
+            w_z / 4.0 + w_theta / 2.0 + w_psi / 4.0,
+            w_z / 4.0 - w_phi / 2.0 - w_psi / 4.0,
+        ]
+    }
+}
+
+impl Control {
+    /// A controller whose rotors are at hover until its first step.
+    pub fn new(name: impl Into<String>, gains: Gains) -> Self {
+        let body = Body::default();
+        Self {
+            name: name.into(),
+            wanted: [0.0; 3],
+            state: [0.0; 12],
+            rotors: [0.0; 4],
+            gains,
+            single_precision: false,
+            body,
+            law: Law::new(&body, gains),
+        }
+    }
+
+    /// The controller with the constants of the recorded runs, in single precision.
+    #[must_use]
+    pub fn as_recorded(mut self) -> Self {
+        self.single_precision = true;
+        self
+    }
+
+    /// The controller of another body.
+    #[must_use]
+    pub fn with_body(mut self, body: Body) -> Self {
+        self.body = body;
+        self
+    }
+}
+
+fn table() -> &'static [Variable] {
+    static TABLE: OnceLock<Vec<Variable>> = OnceLock::new();
+    TABLE.get_or_init(|| {
+        let real = |name: &str, dimension, causality, start, text| {
+            Variable::new(name, dimension, causality, Value::Real(start), text)
+        };
+        let inputs = [
+            (["x_d", "y_d", "z_d"], Dimension::METRE, "wanted position"),
+            (["x", "y", "z"], Dimension::METRE, "position"),
+            (["vx", "vy", "vz"], Dimension::METRE_PER_SECOND, "velocity"),
+            (["phi", "theta", "psi"], Dimension::RADIAN, "attitude: roll, pitch, yaw"),
+            (["vphi", "vtheta", "vpsi"], Dimension::RADIAN_PER_SECOND, "turning"),
+        ];
+        let mut table = Vec::new();
+        for (names, dimension, text) in inputs {
+            table.extend(names.map(|n| real(n, dimension, Causality::Input, 0.0, text)));
+        }
+        table.extend(["w1", "w2", "w3", "w4"].map(|w| {
+            let text = "speed of a rotor, as the deviation from hover";
+            real(w, Dimension::RADIAN_PER_SECOND, Causality::Output, 0.0, text)
+        }));
+        let Gains { position, attitude } = Gains::default();
+        for (name, start, text) in [
+            ("lambda_P", position, "gain of the position"),
+            ("lambda_A", attitude, "gain of the attitude"),
+        ] {
+            table.push(real(name, Dimension::PER_SECOND, Causality::Parameter, start, text));
+        }
+        table.push(Variable::new(
+            "single_precision",
+            Dimension::NONE,
+            Causality::Parameter,
+            Value::Boolean(false),
+            "constants in single precision, as in the recorded runs",
+        ));
+        table.extend(body_parameters::parameters());
+        table
+    })
+}
+
+impl Unit for Control {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn variables(&self) -> &[Variable] {
+        table()
+    }
+
+    fn set(&mut self, variable: usize, value: &Value) -> Result<(), UnitError> {
+        if variable == var::SINGLE {
+            let Value::Boolean(single) = value else {
+                return Err(wrong_kind(self, variable, Kind::Boolean, value));
+            };
+            self.single_precision = *single;
+            return Ok(());
+        }
+        let x = expect_real(self, variable, value)?;
+        let slot = match variable {
+            var::X_D..var::STATE => self.wanted.get_mut(variable),
+            var::STATE..var::ROTORS => self.state.get_mut(variable - var::STATE),
+            var::LAMBDA_P => Some(&mut self.gains.position),
+            var::LAMBDA_A => Some(&mut self.gains.attitude),
+            var::BODY.. => body_parameters::slot(&mut self.body, variable - var::BODY),
+            _ => None,
+        };
+        match slot {
+            Some(slot) => *slot = x,
+            None => return Err(not_settable(self, variable)),
+        }
+        Ok(())
+    }
+
+    fn get(&self, variable: usize) -> Result<Value, UnitError> {
+        let number = match variable {
+            var::X_D..var::STATE => self.wanted.get(variable).copied(),
+            var::STATE..var::ROTORS => self.state.get(variable - var::STATE).copied(),
+            var::ROTORS..var::LAMBDA_P => self.rotors.get(variable - var::ROTORS).copied(),
+            var::LAMBDA_P => Some(self.gains.position),
+            var::LAMBDA_A => Some(self.gains.attitude),
+            var::SINGLE => return Ok(Value::Boolean(self.single_precision)),
+            _ => body_parameters::value(&self.body, variable - var::BODY),
+        };
+        number.map(Value::Real).ok_or_else(|| no_such_variable(self, variable))
+    }
+
+    fn initialise(&mut self, _: &Grid) -> Result<(), UnitError> {
+        body_parameters::check(self, &self.body)?;
+        let Gains { position, attitude } = self.gains;
+        for (place, gain) in [(var::LAMBDA_P, position), (var::LAMBDA_A, attitude)] {
+            if !gain.is_finite() {
+                let what = format!("`{gain}`: expected a finite number");
+                return Err(at_variable(self, place, what));
+            }
+        }
+        self.rotors = [0.0; 4];
+        self.law = if self.single_precision {
+            Law::recorded(&self.body, self.gains)
+        } else {
+            Law::new(&self.body, self.gains)
+        };
+        Ok(())
+    }
+
+    fn do_step(&mut self, _: &Grid, _: u64) -> Result<(), UnitError> {
+        self.rotors = self.law.rotors(self.wanted, self.state);
+        Ok(())
+    }
+}

@@ -1,0 +1,277 @@
+//! The plant: a quadcopter, linear around hover (PROTOCOL section 3).
+
+use std::sync::OnceLock;
+
+use super::body_variables as body_parameters;
+use super::grid::Grid;
+use super::physics::Body;
+use super::unit::{
+    Causality, Dimension, Kind, Unit, UnitError, Value, Variable, at_variable, expect_real,
+    no_such_variable, not_settable, wrong_kind,
+};
+
+/// How the plant advances by a communication step. Inputs stay as they are meanwhile.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Integrator {
+    /// One explicit Euler step, as in the authors' recorded runs.
+    #[default]
+    Euler,
+    /// The solution itself (zero-order hold): a chain of integrators is a polynomial in time.
+    Exact,
+}
+
+impl Integrator {
+    /// Its name in scenario files and flags.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Euler => "euler",
+            Self::Exact => "exact",
+        }
+    }
+
+    /// The integrator of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        [Self::Euler, Self::Exact].into_iter().find(|i| i.name() == name)
+    }
+}
+
+/// Places of the plant's variables. The state has the order position, velocity, attitude,
+/// turning, three components each.
+pub mod var {
+    /// Rotors 1 to 4 are at 0 to 3: deviations from hover in rad/s.
+    pub const ROTORS: usize = 0;
+    /// Position x in m; y and z follow.
+    pub const X: usize = 4;
+    /// Velocity along x in m/s; y and z follow.
+    pub const VX: usize = 7;
+    /// Roll phi in rad; pitch theta and yaw psi follow.
+    pub const PHI: usize = 10;
+    /// Pitch theta in rad.
+    pub const THETA: usize = 11;
+    /// Speed of roll in rad/s; pitch and yaw follow.
+    pub const VPHI: usize = 13;
+    /// Speed of pitch in rad/s.
+    pub const VTHETA: usize = 14;
+    /// Start along x in m; y and z follow.
+    pub const X0: usize = 16;
+    /// Start along z in m.
+    pub const Z0: usize = 18;
+    /// `euler` or `exact`.
+    pub const INTEGRATOR: usize = 19;
+    /// The parameters of the body.
+    pub const BODY: usize = 20;
+}
+
+/// The twelve numbers of a rigid body's motion.
+const STATE: usize = 12;
+
+/// The plant of one drone.
+#[derive(Clone, Debug)]
+pub struct Plant {
+    name: String,
+    rotors: [f64; 4],
+    /// Position, velocity, attitude, turning.
+    state: [f64; STATE],
+    start: [f64; 3],
+    integrator: Integrator,
+    body: Body,
+    motion: Motion,
+}
+
+/// What follows from the body and the step, computed once.
+#[derive(Clone, Copy, Debug, Default)]
+struct Motion {
+    hover: f64,
+    lift: f64,
+    sin_yaw: f64,
+    cos_yaw: f64,
+}
+
+impl Plant {
+    /// A plant at rest at `start` (x, y, z).
+    pub fn new(name: impl Into<String>, start: [f64; 3], integrator: Integrator) -> Self {
+        let body = Body::default();
+        let mut plant = Self {
+            name: name.into(),
+            rotors: [0.0; 4],
+            state: [0.0; STATE],
+            start,
+            integrator,
+            body,
+            motion: Motion::default(),
+        };
+        plant.reset();
+        plant
+    }
+
+    /// The plant with another body.
+    #[must_use]
+    pub fn with_body(mut self, body: Body) -> Self {
+        self.body = body;
+        self.reset();
+        self
+    }
+
+    fn reset(&mut self) {
+        let [x, y, z] = self.start;
+        self.state = [x, y, z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        self.motion = Motion {
+            hover: self.body.hover(),
+            lift: self.body.lift(),
+            sin_yaw: self.body.yaw.sin(),
+            cos_yaw: self.body.yaw.cos(),
+        };
+    }
+
+    /// phi'', theta'', psi'' and z'' from the rotors, in the order of operations of the
+    /// recorded runs.
+    fn accelerations(&self) -> ([f64; 3], f64) {
+        let Body { arm, torque, inertia: [ixx, iyy, izz], .. } = self.body;
+        let Motion { hover, lift, .. } = self.motion;
+        let [w1, w2, w3, w4] = self.rotors;
+        let roll = arm * (hover * ((w2 - w4) / ixx));
+        let pitch = arm * (hover * ((w3 - w1) / iyy));
+        let yaw = torque * (hover * ((w1 + w3 - w2 - w4) / izz));
+        ([roll, pitch, yaw], lift * (w1 + w2 + w3 + w4))
+    }
+
+    /// x'' and y'' that an attitude gives.
+    fn horizontal(&self, phi: f64, theta: f64) -> [f64; 2] {
+        let Motion { sin_yaw, cos_yaw, .. } = self.motion;
+        let g = self.body.gravity;
+        [g * (sin_yaw * phi + cos_yaw * theta), g * (sin_yaw * theta - cos_yaw * phi)]
+    }
+
+    fn euler(&mut self, tau: f64) {
+        let (turning, climb) = self.accelerations();
+        let [x, y, z, vx, vy, vz, phi, theta, psi, vphi, vtheta, vpsi] = self.state;
+        let [ax, ay] = self.horizontal(phi, theta);
+        let [aphi, atheta, apsi] = turning;
+        let rates = [vx, vy, vz, ax, ay, climb, vphi, vtheta, vpsi, aphi, atheta, apsi];
+        let old = [x, y, z, vx, vy, vz, phi, theta, psi, vphi, vtheta, vpsi];
+        for ((new, x), rate) in self.state.iter_mut().zip(old).zip(rates) {
+            *new = x + rate * tau;
+        }
+    }
+
+    fn exact(&mut self, t: f64) {
+        let (turning, climb) = self.accelerations();
+        let [x, y, z, vx, vy, vz, phi, theta, psi, vphi, vtheta, vpsi] = self.state;
+        let [aphi, atheta, apsi] = turning;
+        // x'' is a polynomial a0 + a1 t + a2 t^2/2 within the step.
+        let a0 = self.horizontal(phi, theta);
+        let a1 = self.horizontal(vphi, vtheta);
+        let a2 = self.horizontal(aphi, atheta);
+        let (t2, t3, t4) = (t * t / 2.0, t * t * t / 6.0, t * t * t * t / 24.0);
+        let place = |x: f64, v: f64, i: usize| x + v * t + a0[i] * t2 + a1[i] * t3 + a2[i] * t4;
+        let speed = |v: f64, i: usize| v + a0[i] * t + a1[i] * t2 + a2[i] * t3;
+        let turned = |angle: f64, v: f64, a: f64| angle + v * t + a * t2;
+        self.state = [
+            place(x, vx, 0),
+            place(y, vy, 1),
+            z + vz * t + climb * t2,
+            speed(vx, 0),
+            speed(vy, 1),
+            vz + climb * t,
+            turned(phi, vphi, aphi),
+            turned(theta, vtheta, atheta),
+            turned(psi, vpsi, apsi),
+            vphi + aphi * t,
+            vtheta + atheta * t,
+            vpsi + apsi * t,
+        ];
+    }
+}
+
+fn table() -> &'static [Variable] {
+    static TABLE: OnceLock<Vec<Variable>> = OnceLock::new();
+    TABLE.get_or_init(|| {
+        let real = |name: &str, dimension, causality, text| {
+            Variable::new(name, dimension, causality, Value::Real(0.0), text)
+        };
+        let mut table: Vec<_> = ["w1", "w2", "w3", "w4"]
+            .map(|w| {
+                let text = "speed of a rotor, as the deviation from hover";
+                real(w, Dimension::RADIAN_PER_SECOND, Causality::Input, text)
+            })
+            .into();
+        let groups = [
+            (["x", "y", "z"], Dimension::METRE, "position"),
+            (["vx", "vy", "vz"], Dimension::METRE_PER_SECOND, "velocity"),
+            (["phi", "theta", "psi"], Dimension::RADIAN, "attitude: roll, pitch, yaw"),
+            (["vphi", "vtheta", "vpsi"], Dimension::RADIAN_PER_SECOND, "turning"),
+        ];
+        for (names, dimension, text) in groups {
+            table.extend(names.map(|n| real(n, dimension, Causality::Output, text)));
+        }
+        table.extend(
+            ["x0", "y0", "z0"]
+                .map(|n| real(n, Dimension::METRE, Causality::Parameter, "position at the start")),
+        );
+        let euler = Value::Text(Integrator::Euler.name().into());
+        let text = "`euler` or `exact`";
+        table.push(Variable::new("integrator", Dimension::NONE, Causality::Parameter, euler, text));
+        table.extend(body_parameters::parameters());
+        table
+    })
+}
+
+impl Unit for Plant {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn variables(&self) -> &[Variable] {
+        table()
+    }
+
+    fn set(&mut self, variable: usize, value: &Value) -> Result<(), UnitError> {
+        if variable == var::INTEGRATOR {
+            let Value::Text(name) = value else {
+                return Err(wrong_kind(self, variable, Kind::Text, value));
+            };
+            self.integrator = Integrator::named(name).ok_or_else(|| {
+                at_variable(self, variable, format!("`{name}`: expected `euler` or `exact`"))
+            })?;
+            return Ok(());
+        }
+        let x = expect_real(self, variable, value)?;
+        let slot = match variable {
+            var::ROTORS..var::X => self.rotors.get_mut(variable),
+            var::X0..=var::Z0 => self.start.get_mut(variable - var::X0),
+            var::BODY.. => body_parameters::slot(&mut self.body, variable - var::BODY),
+            _ => None,
+        };
+        match slot {
+            Some(slot) => *slot = x,
+            None => return Err(not_settable(self, variable)),
+        }
+        Ok(())
+    }
+
+    fn get(&self, variable: usize) -> Result<Value, UnitError> {
+        let number = match variable {
+            var::ROTORS..var::X => self.rotors.get(variable).copied(),
+            var::X..var::X0 => self.state.get(variable - var::X).copied(),
+            var::X0..=var::Z0 => self.start.get(variable - var::X0).copied(),
+            var::INTEGRATOR => return Ok(Value::Text(self.integrator.name().into())),
+            _ => body_parameters::value(&self.body, variable - var::BODY),
+        };
+        number.map(Value::Real).ok_or_else(|| no_such_variable(self, variable))
+    }
+
+    fn initialise(&mut self, _: &Grid) -> Result<(), UnitError> {
+        body_parameters::check(self, &self.body)?;
+        self.reset();
+        Ok(())
+    }
+
+    fn do_step(&mut self, grid: &Grid, _: u64) -> Result<(), UnitError> {
+        let tau = grid.tau_f64();
+        match self.integrator {
+            Integrator::Euler => self.euler(tau),
+            Integrator::Exact => self.exact(tau),
+        }
+        Ok(())
+    }
+}

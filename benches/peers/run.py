@@ -129,7 +129,6 @@ def whole_processes():
         ("`cordon trace scenarios/paper.toml`", [cordon, "trace", scenario]),
         ("`cordon trace --at 1000`, N = 20", [cordon, "trace", *line, "--at", "1000"]),
         ("Python integers, N = 20, k = 1,000", [sys.executable, os.path.join(HERE, "integers.py"), "20", "1000"]),
-        ("SBCL, an empty program", ["sbcl", "--non-interactive", "--no-userinit", "--eval", "t"]),
     ]
     print("\n| whole process | milliseconds |")
     print("|---|---|")

@@ -81,7 +81,7 @@ impl ErrorMatrix {
         let claimed = form == Form::Sharp
             && WeightRange::PositiveUpToHalf.contains(num, den, count).is_true();
         let square = BigInt::from((count - 1) * (count - 1));
-        let kept = &square * den - num * 8;
+        let kept: BigInt = &square * den - num * 8;
         let weight = |i: usize| BigInt::from(contraction_weight(count, i + 1));
         !claimed
             || self.rows.iter().enumerate().all(|(i, row)| {

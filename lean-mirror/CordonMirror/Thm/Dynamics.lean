@@ -11,7 +11,25 @@ namespace CordonMirror
 
 theorem count_lambda {α : Type} : ∀ (n : Nat) (f : Nat → α), count (lambda n f) = n
   | 0, _ => rfl
-  | n + 1, f => congrArg Nat.succ (count_lambda n (fun i => f (i + 1)))
+  | n + 1, f => by
+    have ih : count (lambda n (fun i => f (i + 1))) = n := count_lambda n (fun i => f (i + 1))
+    show count (lambda n (fun i => f (i + 1))) + 1 = n + 1
+    rw [ih]
+
+/-- A placement is known by what its drones do. -/
+theorem lambda_ext {α : Type} (n : Nat) :
+    ∀ f g : Nat → α, (∀ i : Nat, i < n → f i = g i) → lambda n f = lambda n g := by
+  induction n with
+  | zero =>
+    intro f g _
+    rfl
+  | succ n ih =>
+    intro f g h
+    have h0 : f 0 = g 0 := h 0 (by omega)
+    have ht : lambda n (fun i => f (i + 1)) = lambda n (fun i => g (i + 1)) :=
+      ih (fun i => f (i + 1)) (fun i => g (i + 1)) (fun i hi => h (i + 1) (by omega))
+    show f 0 :: lambda n (fun i => f (i + 1)) = g 0 :: lambda n (fun i => g (i + 1))
+    rw [h0, ht]
 
 theorem get_or_lambda {α : Type} (z : α) :
     ∀ (n : Nat) (f : Nat → α) (i : Nat), i < n → get_or z (lambda n f) i = f i
@@ -97,6 +115,14 @@ theorem Step.weighted {M : Nat} {e : Rat} {x y : Nat → Rat} (h : Step M e x y)
   intro i hi
   have hy : y (i + 1) = e * x i + (1 - 2 * e) * x (i + 1) + e * x (i + 2) := h.inner i hi
   show y (i + 1) = x (i + 1) + e * (x i - 2 * x (i + 1) + x (i + 2))
+  rw [hy]
+  ring
+
+theorem Weighted.step {M : Nat} {e : Rat} {x y : Nat → Rat}
+    (h : Weighted M (fun _ => e) x y) : Step M e x y := by
+  refine Step.mk h.left_end h.right_end ?_
+  intro i hi
+  have hy : y (i + 1) = x (i + 1) + e * (x i - 2 * x (i + 1) + x (i + 2)) := h.inner i hi
   rw [hy]
   ring
 

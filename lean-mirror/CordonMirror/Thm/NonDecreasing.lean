@@ -22,21 +22,26 @@ theorem sumn_shift (f : Nat → Rat) :
 
 theorem foldl_add :
     ∀ (l : List Rat) (c : Rat),
-      l.foldl (fun a b => a + b) c = c + l.foldl (fun a b => a + b) 0
+      l.foldl (fun a b : Rat => a + b) c = c + l.foldl (fun a b : Rat => a + b) 0
   | [], c => Eq.symm (add_zero c)
   | x :: l, c => by
-    have h1 : l.foldl (fun a b => a + b) (c + x) = (c + x) + l.foldl (fun a b => a + b) 0 :=
+    have h1 : l.foldl (fun a b : Rat => a + b) (c + x)
+        = (c + x) + l.foldl (fun a b : Rat => a + b) 0 :=
       foldl_add l (c + x)
-    have h2 : l.foldl (fun a b => a + b) (0 + x) = (0 + x) + l.foldl (fun a b => a + b) 0 :=
+    have h2 : l.foldl (fun a b : Rat => a + b) (0 + x)
+        = (0 + x) + l.foldl (fun a b : Rat => a + b) 0 :=
       foldl_add l (0 + x)
-    show l.foldl (fun a b => a + b) (c + x) = c + l.foldl (fun a b => a + b) (0 + x)
+    show l.foldl (fun a b : Rat => a + b) (c + x)
+      = c + l.foldl (fun a b : Rat => a + b) (0 + x)
     rw [h1, h2]
     ring
 
 theorem sum_cons (a : Rat) (l : List Rat) : sum (a :: l) = a + sum l := by
-  have h : l.foldl (fun c xi => c + xi) (0 + a) = (0 + a) + l.foldl (fun c xi => c + xi) 0 :=
+  have h : l.foldl (fun c xi : Rat => c + xi) (0 + a)
+      = (0 + a) + l.foldl (fun c xi : Rat => c + xi) 0 :=
     foldl_add l (0 + a)
-  show l.foldl (fun c xi => c + xi) (0 + a) = a + l.foldl (fun c xi => c + xi) 0
+  show l.foldl (fun c xi : Rat => c + xi) (0 + a)
+    = a + l.foldl (fun c xi : Rat => c + xi) 0
   rw [h]
   ring
 

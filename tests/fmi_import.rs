@@ -12,6 +12,7 @@ const START: &str = "start = [0, 10, 20, 30, 100]\nweight = 0.2\nperiod = 4\ntau
 
 #[test]
 fn an_fmu_in_the_place_of_any_unit_changes_no_double() {
+    common::fmu_binary();
     let dir = tempfile::tempdir().unwrap();
     let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
     let (plain, scenario) = (path("plain.csv"), path("s.toml"));
@@ -48,6 +49,7 @@ fn an_fmu_in_the_place_of_any_unit_changes_no_double() {
 
 #[test]
 fn what_an_fmu_says_about_a_failure_is_in_the_error() {
+    common::fmu_binary();
     let dir = tempfile::tempdir().unwrap();
     let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
     for version in ["2", "3"] {

@@ -24,6 +24,7 @@ fn python(test: &str) -> Option<String> {
     let python = std::env::var("CORDON_PYTHON").unwrap_or_else(|_| "python3".to_owned());
     let found = Command::new(&python).args(["-c", "import fmpy"]).output();
     if found.is_ok_and(|o| o.status.success()) {
+        common::fmu_binary();
         return Some(python);
     }
     let required = std::env::var("CORDON_REQUIRE_TOOLS").is_ok_and(|v| v == "1");

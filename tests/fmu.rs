@@ -187,6 +187,7 @@ fn fails(args: &[&str], code: i32, parts: &[&str]) {
 
 #[test]
 fn an_export_is_the_same_every_time_and_appears_whole_or_not_at_all() {
+    common::fmu_binary();
     let (dir, path) = fresh();
     let export = |out: &str| run(&["fmu", "export", "control", "--fmi", "3", "--out", out]);
     assert_eq!(export(&path("a.fmu")).0, 0);
@@ -221,6 +222,7 @@ fn the_binary_that_is_missing_is_named_with_the_command_that_builds_it() {
 
 #[test]
 fn a_multi_model_that_was_written_is_read_as_the_same_scenario() {
+    common::fmu_binary();
     let cases: [(&str, &[&str]); 3] = [
         ("scenarios/paper.toml", &[]),
         ("scenarios/paper-unstable.toml", &["--exchange", "double", "--duration", "10"]),
@@ -248,6 +250,7 @@ fn a_multi_model_that_was_written_is_read_as_the_same_scenario() {
 
 #[test]
 fn what_is_no_swarm_is_refused_by_name() {
+    common::fmu_binary();
     let (_dir, path) = fresh();
     let scenario = "scenarios/paper.toml";
     assert_eq!(run(&["export", "into-cps", scenario, "--out", &path("")]).0, 0);
@@ -294,6 +297,7 @@ fn what_is_no_swarm_is_refused_by_name() {
 
 #[test]
 fn what_other_tools_do_not_have_is_not_exported() {
+    common::fmu_binary();
     let (dir, path) = fresh();
     let out = path("x.ssp");
     let consensus = ["export", "ssp", "scenarios/consensus.toml", "--out", &out];
@@ -322,6 +326,7 @@ fn changed(fmu: &str, out: &Path, change: impl Fn(&str, Vec<u8>) -> Option<(Stri
 
 #[test]
 fn an_fmu_that_cannot_take_a_units_place_is_named_with_the_reason() {
+    common::fmu_binary();
     let (dir, path) = fresh();
     let good = path("plant.fmu");
     assert_eq!(run(&["fmu", "export", "plant", "--out", &good]).0, 0);

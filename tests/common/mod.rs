@@ -3,6 +3,7 @@
 
 use std::cell::Cell;
 use std::fmt::Debug;
+use std::sync::Once;
 
 use assert_cmd::Command;
 use cordon::Rational;
@@ -79,8 +80,22 @@ pub fn cordon() -> Command {
 }
 
 /// Runs the program in the repository's root; exit code, stdout, stderr.
+///
+/// Without cargo's variables: under cargo the program would build the binary for FMUs each time
+/// it exports one; see [`fmu_binary`].
 pub fn run(args: &[&str]) -> (i32, String, String) {
-    let out = cordon().args(args).output().unwrap();
+    let out = cordon().env_remove("CARGO").args(args).output().unwrap();
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
     (out.status.code().unwrap(), text(out.stdout), text(out.stderr))
+}
+
+/// Builds the binary for FMUs beside the program, once, as `cargo run -- fmu export` does.
+pub fn fmu_binary() {
+    static BUILT: Once = Once::new();
+    BUILT.call_once(|| {
+        let out = tempfile::tempdir().unwrap();
+        let fmu = out.path().join("plant.fmu");
+        let built = cordon().args(["fmu", "export", "plant", "--out"]).arg(fmu).output().unwrap();
+        assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+    });
 }

@@ -3,7 +3,7 @@
 //! With fixed ends the deviations from the targets continue oddly beyond the ends, to a ring
 //! of `2(N-1)` places on which every place obeys the same rule; with free ends (consensus) the
 //! positions continue evenly, to a ring of `2N`. There k steps are one convolution with the
-//! k-th power of the kernel ([`Kernel`]).
+//! k-th power of the kernel (`kernel.rs`).
 
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};

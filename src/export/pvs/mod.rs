@@ -2,8 +2,8 @@
 //!
 //! PVS is a specification language of its own, so this is a mirror, not an execution: the
 //! definitions are templates beside this file, close to the paper's listings; hypotheses and
-//! comments are generated from the spec's data ([`theorems`]), and a scenario's theory carries
-//! positions that the spec computed ([`scenario`]), for PVSio to replay.
+//! comments are generated from the spec's data (`theorems.rs`), and a scenario's theory carries
+//! positions that the spec computed (`scenario.rs`), for PVSio to replay.
 //!
 //! CI has no PVS. Tried by hand with PVS 8.0 (built from its sources at commit `becb0153` under
 //! SBCL 2.2.9, without its network server) for the default scenario: all files type-check, PVS

@@ -15,6 +15,19 @@ pub fn read_text(path: &Path) -> Result<String> {
         .map_err(|_| Error::input(format!("`{}`: expected UTF-8 text", path.display())))
 }
 
+/// A temporary file in the folder of `path`, readable by whom the user lets read new files.
+fn temporary_beside(path: &Path) -> std::io::Result<tempfile::NamedTempFile> {
+    let folder = match path.parent() {
+        Some(p) if !p.as_os_str().is_empty() => p,
+        _ => Path::new("."),
+    };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".cordon-");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder)
+}
+
 /// Writes a file so that a reader sees the old content or the new, never a part: into a
 /// temporary file beside it, then renamed.
 ///
@@ -22,11 +35,7 @@ pub fn read_text(path: &Path) -> Result<String> {
 /// The folder cannot be written.
 pub fn write_atomically(path: &Path, content: &[u8]) -> Result<()> {
     let fail = |e| Error::file("write", path, e);
-    let folder = match path.parent() {
-        Some(p) if !p.as_os_str().is_empty() => p,
-        _ => Path::new("."),
-    };
-    let mut file = tempfile::Builder::new().prefix(".cordon-").tempfile_in(folder).map_err(fail)?;
+    let mut file = temporary_beside(path).map_err(fail)?;
     file.write_all(content).and_then(|()| file.as_file().sync_all()).map_err(fail)?;
     file.persist(path).map_err(|e| fail(e.error))?;
     Ok(())
@@ -39,11 +48,7 @@ pub fn write_atomically(path: &Path, content: &[u8]) -> Result<()> {
 /// The folder cannot be written, or `content` fails.
 pub fn write_whole(path: &Path, content: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
     let fail = |e| Error::file("write", path, e);
-    let folder = match path.parent() {
-        Some(p) if !p.as_os_str().is_empty() => p,
-        _ => Path::new("."),
-    };
-    let mut file = tempfile::Builder::new().prefix(".cordon-").tempfile_in(folder).map_err(fail)?;
+    let mut file = temporary_beside(path).map_err(fail)?;
     let mut buffer = std::io::BufWriter::new(file.as_file_mut());
     content(&mut buffer).map_err(|e| match e {
         Error::Output(e) => fail(e),

@@ -4,19 +4,36 @@
 //! here are engines that execute it; each consumes the spec and knows no other engine. The
 //! command line ([`cli`]) is a thin face over them.
 
+pub mod certificate;
 pub mod cli;
 pub mod cosim;
+pub mod counterexample;
 pub mod errata;
 pub mod error;
 pub mod exact;
+pub mod export;
+pub mod fast;
+pub mod figures;
 pub mod files;
 pub mod fmi;
 pub mod interchange;
+pub mod linear;
+pub mod own_protocol;
 pub mod projection;
+pub mod prove;
+pub mod random;
+pub mod refute;
+pub mod replay;
 pub mod scalar;
 pub mod scenario;
+pub mod settle;
 pub mod simulate;
+pub mod stencil;
+pub mod swarm;
+pub mod sweep;
+pub mod threshold;
 pub mod trace;
+pub mod verify;
 
 pub use error::{Error, Outcome, Result};
 pub use exact::Rational;

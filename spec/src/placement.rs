@@ -23,14 +23,25 @@ pub fn gaps<S: Scalar>(x: &[S]) -> S {
 
 /// `(N-1) * T_i`: N-1 times the target of drone `i` of `count` (definition 3).
 pub fn scaled_target<S: Scalar>(min: &S, max: &S, count: usize, i: usize) -> S {
+    target_at(min, max, &S::from_index(count.saturating_sub(1)), &S::from_index(i))
+}
+
+/// [`scaled_target`] with the indices `last` = N-1 and `i` as scalars, so that they may be
+/// indeterminates.
+pub fn target_at<S: Scalar>(min: &S, max: &S, last: &S, i: &S) -> S {
     let length = max.clone() - min;
-    S::from_index(count.saturating_sub(1)) * min + &(S::from_index(i) * &length)
+    last.clone() * min + &(i.clone() * &length)
 }
 
 /// `(N-1) * e_i`: N-1 times the error `e_i = T_i - X_i` of drone `i`; positive while the
 /// drone is before its target.
 pub fn scaled_error<S: Scalar>(min: &S, max: &S, x: &[S], i: usize) -> S {
-    scaled_target(min, max, x.len(), i) - &(gaps::<S>(x) * &x[i])
+    error_at(min, max, &gaps(x), &S::from_index(i), &x[i])
+}
+
+/// [`scaled_error`] of position `xi`, with the indices `last` = N-1 and `i` as scalars.
+pub fn error_at<S: Scalar>(min: &S, max: &S, last: &S, i: &S, xi: &S) -> S {
+    target_at(min, max, last, i) - &(last.clone() * xi)
 }
 
 /// `(N-1)^2` times the sum of the squared errors: zero exactly at the targets.
@@ -45,4 +56,9 @@ pub fn scaled_energy<S: Scalar>(min: &S, max: &S, x: &[S]) -> S {
 /// drones, zero at the ends.
 pub fn contraction_weight(count: usize, i: usize) -> usize {
     i * (count - 1 - i)
+}
+
+/// [`contraction_weight`] with the indices `last` = N-1 and `i` as scalars.
+pub fn contraction_weight_at<S: Scalar>(last: &S, i: &S) -> S {
+    i.clone() * &(last.clone() - i)
 }

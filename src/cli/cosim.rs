@@ -1,7 +1,7 @@
 //! `cordon cosim`.
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -67,6 +67,28 @@ pub enum Compat {
 }
 
 impl FlightArgs {
+    /// Refuses these flags where a run that was flown already is read from a file.
+    ///
+    /// # Errors
+    /// One of them is given.
+    pub(super) fn refuse_for(&self, run: &Path) -> Result<()> {
+        let given = [
+            ("duration", self.duration.is_some()),
+            ("integrator", self.integrator.is_some()),
+            ("master", self.master.is_some()),
+            ("exchange", self.exchange.is_some()),
+            ("seed", self.seed.is_some()),
+            ("compat", self.compat.is_some()),
+        ];
+        match given.iter().find(|(_, is)| *is) {
+            Some((flag, _)) => Err(Error::input(format!(
+                "{flag}: expected a scenario to fly, found a run, `{}`",
+                run.display()
+            ))),
+            None => Ok(()),
+        }
+    }
+
     /// The swarm that a scenario and these flags describe.
     ///
     /// # Errors

@@ -2,16 +2,30 @@
 //!
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
+mod check;
 mod cosim;
 mod errata;
 mod export;
+mod figures;
 mod fmu;
 mod local;
+pub mod own_protocol;
+mod prove;
+pub mod ranges;
+mod refute;
+mod replay;
 pub mod scenario_args;
 pub mod select;
+mod settle;
 mod setup;
+mod swarm;
+mod sweep;
+mod table;
 mod theorems;
+mod threshold;
 mod trace;
+mod trace_at;
+mod verify;
 
 use std::io::Write;
 
@@ -39,16 +53,36 @@ pub enum Command {
     Trace(Box<trace::Args>),
     /// Run N local machines that exchange positions and compare with the global protocol
     Local(Box<local::Args>),
+    /// Run a very large swarm in doubles, with a proved bound of the error
+    Swarm(swarm::Args),
     /// Fly the scenario: plant, controller and coordination of every drone, co-simulated
     Cosim(Box<cosim::Args>),
-    /// Re-establish the paper's slips by computation, now
-    Errata(errata::Args),
+    /// Draw the paper's figures 8 to 12, 15 and 16 from runs made now
+    Figures(figures::Args),
+    /// Write a run as one HTML page to look at: play, pause, scrub, collisions marked
+    Replay(Box<replay::Args>),
     /// Write the units of the co-simulation as FMUs
     Fmu(Box<fmu::Args>),
-    /// Write a co-simulation for other tools: INTO-CPS, SSP
-    Export(Box<export::Args>),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
+    /// Re-establish the paper's slips by computation, now
+    Errata(errata::Args),
+    /// Try theorems on every start of a grid, or decide them for all real starts
+    Sweep(Box<sweep::Args>),
+    /// Search for the smallest counterexample to a theorem
+    Refute(refute::Args),
+    /// Search certificates for theorems: for every N, every step and every weight in the range
+    Prove(prove::Args),
+    /// Check certificates with the independent checker
+    Check(check::Args),
+    /// Bracket the critical weight of a property from both sides, with a certificate on each
+    Threshold(threshold::Args),
+    /// From which step on every drone is within a distance of its target: proved and true
+    Settle(settle::Args),
+    /// Show what is known of each theorem: run now, verified by record, or not run
+    Verify(verify::Args),
+    /// Write the protocol, its theorems or a scenario for other tools
+    Export(Box<export::Args>),
     /// Print a completion script for a shell
     Completions(setup::Args),
     /// Print the manual page (roff; read it with `cordon man | man -l -`)
@@ -64,11 +98,21 @@ impl Cli {
         match self.command {
             Command::Trace(args) => trace::run(&args, out),
             Command::Local(args) => local::run(&args, out),
+            Command::Swarm(args) => swarm::run(&args, out),
             Command::Cosim(args) => cosim::run(&args, out),
-            Command::Errata(args) => errata::run(&args, out),
+            Command::Figures(args) => figures::run(&args, out),
+            Command::Replay(args) => replay::run(&args, out),
             Command::Fmu(args) => fmu::run(&args, out),
-            Command::Export(args) => export::run(&args, out),
             Command::Theorems(args) => theorems::run(&args, out),
+            Command::Errata(args) => errata::run(&args, out),
+            Command::Sweep(args) => sweep::run(&args, out),
+            Command::Refute(args) => refute::run(&args, out),
+            Command::Prove(args) => prove::run(&args, out),
+            Command::Check(args) => check::run(&args, out),
+            Command::Threshold(args) => threshold::run(&args, out),
+            Command::Settle(args) => settle::run(&args, out),
+            Command::Verify(args) => verify::run(&args, out),
+            Command::Export(args) => export::run(&args, out),
             Command::Completions(args) => setup::completions(&args, out),
             Command::Man => setup::man(out),
         }

@@ -116,7 +116,11 @@ impl ScenarioArgs {
     }
 }
 
-fn positions(list: &str) -> Result<Vec<Rational>> {
+/// The positions of a list like `0,10,20.5,1/3`.
+///
+/// # Errors
+/// An entry that is no number.
+pub(super) fn positions(list: &str) -> Result<Vec<Rational>> {
     list.split(',')
         .enumerate()
         .map(|(i, text)| exact::parse(&format!("start: drone {i}"), text))

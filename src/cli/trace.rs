@@ -6,8 +6,10 @@ use cordon_spec::theorems::Form;
 
 use super::scenario_args::ScenarioArgs;
 use super::select::{FormArg, theorems_named};
+use super::trace_at::{self, AtArgs, Shape};
+use crate::scenario::Scenario;
 use crate::trace::show::{self, Numbers};
-use crate::trace::{Selection, Unit, check, select};
+use crate::trace::{Checked, Selection, Trace, Unit, check, select};
 use crate::{Error, Outcome, Result};
 
 /// Arguments of `cordon trace`.
@@ -48,6 +50,8 @@ pub struct Args {
     /// Draw a small plot below the table
     #[arg(long)]
     plot: bool,
+    #[command(flatten)]
+    at: AtArgs,
 }
 
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,6 +86,9 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         ));
     }
     let scenario = args.scenario.scenario()?;
+    if !args.at.at.is_empty() {
+        return chosen_steps(args, &scenario, out);
+    }
     let (unit, last) = match args.ticks {
         Some(ticks) => (Unit::Ticks, ticks),
         None => (Unit::Steps, args.steps.unwrap_or(scenario.steps)),
@@ -100,19 +107,42 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         }
         None => Vec::new(),
     };
+    print(args, &trace, &checks, out)?;
+    if args.plot {
+        show::plot(&trace, out)?;
+    }
+    Ok(checks.iter().fold(Outcome::Holds, |worst, c| worst.worst(c.outcome())))
+}
+
+/// Writes the trace in the wanted form.
+fn print(args: &Args, trace: &Trace<'_>, checks: &[Checked], out: &mut dyn Write) -> Result<()> {
     match args.format {
         Format::Table => {
             let numbers = args.numbers.unwrap_or(Numbers::Decimal);
-            show::table(&trace, &checks, numbers, args.digits, out)?;
-            if args.plot {
-                show::plot(&trace, out)?;
-            }
+            show::table(trace, checks, numbers, args.digits, out)
         }
-        Format::Csv => {
-            show::csv(&trace, args.numbers.unwrap_or(Numbers::Both), args.digits, out)?;
-        }
-        Format::Json => show::json(&trace, &checks, args.digits, out)?,
-        Format::Itf => show::itf(&trace, out)?,
+        Format::Csv => show::csv(trace, args.numbers.unwrap_or(Numbers::Both), args.digits, out),
+        Format::Json => show::json(trace, checks, args.digits, out),
+        Format::Itf => show::itf(trace, out),
     }
-    Ok(checks.iter().fold(Outcome::Holds, |worst, c| worst.worst(c.outcome())))
+}
+
+/// `--at`: the chosen steps only.
+fn chosen_steps(args: &Args, scenario: &Scenario, out: &mut dyn Write) -> Result<Outcome> {
+    if let Some((trace, outcome)) = trace_at::exact(scenario, &args.at)? {
+        print(args, &trace, &[], out)?;
+        return Ok(outcome);
+    }
+    let shape = match args.format {
+        Format::Table => Shape::Table,
+        Format::Csv => Shape::Csv,
+        Format::Json => Shape::Json,
+        Format::Itf => {
+            return Err(Error::input("format: `itf`: expected together with exact engines only"));
+        }
+    };
+    if matches!(args.numbers, Some(Numbers::Fraction | Numbers::Both)) {
+        return Err(Error::input("numbers: fractions: expected together with exact engines only"));
+    }
+    trace_at::certain(scenario, &args.at, args.digits, shape, out)
 }

@@ -80,19 +80,18 @@ pub fn master(swarm: &Swarm) -> Result<Master> {
 /// The swarm cannot be wired, or the record is another one's.
 pub fn difference(swarm: &Swarm, record: &Record) -> Result<Difference> {
     let mut found = Difference { desired: Largest::default(), actual: Largest::default() };
-    let own = swarm.exact_coordination(0).place(Slot::Own);
-    let own = own.ok_or_else(|| Error::input("expected an output `own`"))?;
+    let own = (0..swarm.count()).map(|i| swarm.exact_port(i)).collect::<Result<Vec<_>>>()?;
     master(swarm)?.run(|master, step| {
         let row = usize::try_from(step).unwrap_or(usize::MAX);
         let pairs = record.desired_at(row).iter().zip(record.actual_at(row));
-        for (i, (desired, actual)) in pairs.enumerate() {
+        for (i, ((desired, actual), own)) in pairs.zip(&own).enumerate() {
             let distance = |port: Port, x: f64| -> Result<f64> {
                 match master.value(port)? {
                     Value::Exact(exact) => Ok(exact.distance_from(x)),
                     _ => Err(Error::input("expected an exact value")),
                 }
             };
-            let desired = distance(Port { unit: 3 * i, variable: own }, *desired)?;
+            let desired = distance(*own, *desired)?;
             found.desired.note(desired, i, step);
             let actual = distance(Port { unit: 3 * i + 2, variable: plant_var::X }, *actual)?;
             found.actual.note(actual, i, step);

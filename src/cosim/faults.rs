@@ -10,6 +10,7 @@ use super::grid::Grid;
 use super::unit::Value;
 use super::wiring::Link;
 use crate::exact::Rational;
+use crate::random::SplitMix;
 use crate::scenario::{Fault, FaultKind};
 use crate::{Error, Result};
 
@@ -65,12 +66,10 @@ impl Link for Delay {
     }
 }
 
-/// A bijection of 64-bit numbers that leaves no pattern (the finaliser of SplitMix64).
+/// A bijection of 64-bit numbers that leaves no pattern. Drawn by place and not in sequence: a
+/// message's fate does not depend on how many others there are.
 fn mixed(x: u64) -> u64 {
-    let x = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^ (x >> 31)
+    SplitMix::new(x).bits()
 }
 
 /// The faults of a scenario on the grid of its run.

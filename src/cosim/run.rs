@@ -1,6 +1,7 @@
 //! Running a swarm and keeping what happened.
 
 use super::collision::{Sample, Watch};
+use super::coordination::Slot;
 use super::physics::Body;
 use super::plant::{Integrator, var};
 use super::record::Record;
@@ -37,19 +38,17 @@ pub fn run(swarm: &Swarm, mut progress: impl FnMut(u64)) -> Result<Record> {
         events: None,
         setup: Some(swarm.setup()),
     };
-    let desired = swarm.coordination(0).place(super::coordination::Slot::Desired);
-    let desired = desired.ok_or_else(|| Error::input("expected an output `x_d`"))?;
+    let desired = (0..count).map(|i| swarm.port(i, Slot::Desired)).collect::<Result<Vec<_>>>()?;
     let mut watch = Watch::new(swarm.integrator, swarm.grid.tau_f64());
     let gravity = Body::default().gravity;
     let mut samples = vec![Sample::default(); count];
     let mut accumulated = 0.0;
     master.run(|master, step| {
         let last = record.times.last().copied().unwrap_or_default();
-        for (i, sample) in samples.iter_mut().enumerate() {
+        for (i, (sample, desired)) in samples.iter_mut().zip(&desired).enumerate() {
+            record.desired.push(master.number(*desired, step)?);
             let plant = |variable| Port { unit: 3 * i + 2, variable };
             let number = |variable| master.number(plant(variable), step);
-            let desired = Port { unit: 3 * i, variable: desired };
-            record.desired.push(master.number(desired, step)?);
             sample.x = number(var::X)?;
             // Euler's motion is a straight line between the positions.
             if swarm.integrator == Integrator::Exact {

@@ -64,7 +64,7 @@ fn columns(_: &Record, _: &mut dyn Write) -> Result<()> {
 /// Writes a record into a file, which appears whole or not at all.
 ///
 /// # Errors
-/// As for [`write`].
+/// As for [`write()`].
 pub fn save(record: &Record, format: Format, path: &Path) -> Result<()> {
     files::write_whole(path, |file| write(record, format, file))
 }

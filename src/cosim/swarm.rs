@@ -10,7 +10,7 @@ use super::grid::Grid;
 use super::master::{Algorithm, Master};
 use super::plant::{self, Integrator, Plant};
 use super::record::Setup;
-use super::unit::{Unit, Value};
+use super::unit::{Unit, UnitError, Value};
 use super::wiring::{Port, Timing, Wiring};
 use crate::exact::{self, Rational};
 use crate::scenario::{Fault, Flight, Protocol, Scenario, Substitute, UnitName};
@@ -196,6 +196,19 @@ impl Swarm {
         Coordination::new(format!("coordination{drone}"), settings)
     }
 
+    /// A variable of a drone's coordination unit.
+    ///
+    /// # Errors
+    /// The unit has no such variable.
+    pub fn port(&self, drone: usize, slot: Slot) -> Result<Port> {
+        port(&self.coordination(drone), drone, slot)
+    }
+
+    /// The exact desired position of a drone in a run whose every value is exact.
+    pub(super) fn exact_port(&self, drone: usize) -> Result<Port> {
+        port(&self.exact_coordination(drone), drone, Slot::Own)
+    }
+
     /// The controller of a drone.
     pub fn control(&self, drone: usize) -> Control {
         let gains = Gains {
@@ -287,9 +300,9 @@ impl Swarm {
             wiring.add((body.plant)(i));
         }
         let port = |drone: usize, slot: Slot| -> Result<Port> {
-            let place = coordination.get(drone).and_then(|u| u.place(slot));
-            let missing = || Error::input(format!("drone {drone}: expected a variable {slot:?}"));
-            Ok(Port { unit: 3 * drone, variable: place.ok_or_else(missing)? })
+            let unit = coordination.get(drone);
+            let missing = || Error::input(format!("drone `{drone}`: expected 0 to {}", count - 1));
+            port(unit.ok_or_else(missing)?, drone, slot)
         };
         let faults = faults::Plan::new(&self.faults, self.seed, count, &self.grid)?;
         faults.check_links(|i, j| self.neighbours(j).contains(&i))?;
@@ -349,6 +362,13 @@ impl Swarm {
             integrator: self.integrator.name().to_owned(),
             master: self.algorithm.name().to_owned(),
         }
+    }
+}
+
+fn port(unit: &Coordination, drone: usize, slot: Slot) -> Result<Port> {
+    match unit.place(slot) {
+        Some(variable) => Ok(Port { unit: 3 * drone, variable }),
+        None => Err(UnitError::new(unit.name(), None, format!("has no variable {slot:?}")).into()),
     }
 }
 

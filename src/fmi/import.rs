@@ -1,6 +1,6 @@
 //! FMUs of other tools in the place of units.
 //!
-//! A [`Foreign`](foreign::Foreign) unit has the name and the variables of the unit whose place
+//! A `Foreign` unit has the name and the variables of the unit whose place
 //! it takes, so that nothing else in the co-simulation changes; behind them is an FMU. The crate
 //! `fmi` loads and calls it. That crate needs libclang to build, hence the feature `fmi-import`.
 

@@ -50,7 +50,10 @@ pub fn read(path: &Path) -> Result<Draft> {
 }
 
 /// Reads a scenario from text; `name` stands for the file in messages.
-fn parse(name: &str, text: &str) -> Result<Draft> {
+///
+/// # Errors
+/// As [`read`], for the text.
+pub fn parse(name: &str, text: &str) -> Result<Draft> {
     let source = Source { name, text };
     let doc: Document = toml::from_str(text).map_err(|e| {
         let at = e.span().unwrap_or(0..0);
@@ -95,23 +98,23 @@ fn parse(name: &str, text: &str) -> Result<Draft> {
 }
 
 /// The file's name and text, for errors that point into it.
-pub(super) struct Source<'t> {
-    pub(super) name: &'t str,
-    text: &'t str,
+pub(crate) struct Source<'t> {
+    pub(crate) name: &'t str,
+    pub(crate) text: &'t str,
 }
 
 /// A graph by name, or by its edges.
-type GraphFields = (Option<String>, Option<Vec<(usize, usize)>>);
+pub(crate) type GraphFields = (Option<String>, Option<Vec<(usize, usize)>>);
 
 impl Source<'_> {
-    pub(super) fn error(&self, at: &Range<usize>, message: &str) -> Error {
+    pub(crate) fn error(&self, at: &Range<usize>, message: &str) -> Error {
         let before = self.text.get(..at.start).unwrap_or_default();
         let line = before.matches('\n').count() + 1;
         let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
         Error::input(format!("{}:{line}:{column}: {message}", self.name))
     }
 
-    pub(super) fn number(&self, field: &str, value: &Spanned<Value>) -> Result<Rational> {
+    pub(crate) fn number(&self, field: &str, value: &Spanned<Value>) -> Result<Rational> {
         let written = match value.get_ref() {
             Value::String(s) => s.clone(),
             Value::Integer(n) => n.to_string(),
@@ -136,7 +139,7 @@ impl Source<'_> {
         }
     }
 
-    fn graph(&self, value: &Spanned<Value>) -> Result<GraphFields> {
+    pub(crate) fn graph(&self, value: &Spanned<Value>) -> Result<GraphFields> {
         let fail = || self.error(&value.span(), "graph: expected a name or a list of pairs");
         match value.get_ref() {
             Value::String(name) => Ok((Some(name.clone()), None)),

@@ -4,7 +4,7 @@
 //! place ([`Draft`]); [`Draft::finish`] is the one place that checks it.
 
 mod draft;
-mod file;
+pub(crate) mod file;
 mod flight;
 mod flight_file;
 mod graph;
@@ -13,7 +13,7 @@ use cordon_spec::theorems::Setting;
 use cordon_spec::{Params, Phase, State};
 
 pub use draft::{Draft, Start};
-pub use file::read;
+pub use file::{parse, read};
 pub use flight::{Fault, FaultKind, Flight, Substitute, UnitName};
 pub use graph::Topology;
 

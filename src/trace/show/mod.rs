@@ -28,13 +28,12 @@ pub enum Numbers {
 impl Numbers {
     /// One number; with `Both` the fraction follows where it is not the decimal itself.
     fn write(self, x: &Rational, digits: usize) -> String {
-        let decimal = exact::decimal_string(x, digits);
-        let fraction = exact::fraction(x);
+        // Long fractions take long to write: only those that are shown.
         match self {
-            Self::Decimal => decimal,
-            Self::Fraction => fraction,
-            Self::Both if x.is_integer() => fraction,
-            Self::Both => format!("{decimal} = {fraction}"),
+            Self::Decimal => exact::decimal_string(x, digits),
+            Self::Fraction => exact::fraction(x),
+            Self::Both if x.is_integer() => exact::fraction(x),
+            Self::Both => format!("{} = {}", exact::decimal_string(x, digits), exact::fraction(x)),
         }
     }
 }

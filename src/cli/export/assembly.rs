@@ -1,33 +1,19 @@
-//! `cordon export`.
+//! `cordon export into-cps` and `cordon export ssp`: a co-simulation with its FMUs.
 
 use std::io::Write;
 use std::path::PathBuf;
 
-use super::cosim::FlightArgs;
-use super::fmu::{BinaryArg, VersionArg};
-use super::scenario_args::ScenarioArgs;
+use crate::cli::cosim::FlightArgs;
+use crate::cli::fmu::{BinaryArg, VersionArg};
+use crate::cli::scenario_args::ScenarioArgs;
 use crate::fmi::interface::FmiVersion;
 use crate::fmi::{binary, package};
 use crate::interchange::{Assembly, into_cps, ssp};
 use crate::{Error, Outcome, Result, files};
 
-/// Arguments of `cordon export`.
+/// Arguments of both.
 #[derive(clap::Args, Debug)]
-pub struct Args {
-    #[command(subcommand)]
-    command: Command,
-}
-
-#[derive(clap::Subcommand, Debug)]
-enum Command {
-    /// Write the co-simulation as an INTO-CPS multi-model (for Maestro), the FMUs beside it
-    IntoCps(Box<ExportArgs>),
-    /// Write the co-simulation as an SSP archive (for FMPy or OMSimulator), the FMUs in it
-    Ssp(Box<ExportArgs>),
-}
-
-#[derive(clap::Args, Debug)]
-struct ExportArgs {
+pub struct ExportArgs {
     #[command(flatten)]
     scenario: ScenarioArgs,
     #[command(flatten)]
@@ -42,21 +28,14 @@ struct ExportArgs {
     binary: BinaryArg,
 }
 
-/// Writes a co-simulation for other tools.
-pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    match &args.command {
-        Command::IntoCps(args) => into_cps(args, out),
-        Command::Ssp(args) => ssp(args, out),
-    }
-}
-
 fn assembly(args: &ExportArgs) -> Result<(Assembly, FmiVersion, Vec<u8>)> {
     let swarm = args.flight.swarm(&args.scenario)?;
     let assembly = args.scenario.in_file(Assembly::of(&swarm))?;
     Ok((assembly, args.fmi.into(), binary::load(args.binary.binary.as_deref())?))
 }
 
-fn into_cps(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome> {
+/// Writes an INTO-CPS multi-model.
+pub(super) fn into_cps(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome> {
     let (assembly, version, binary) = assembly(args)?;
     let model = into_cps::multi_model(&assembly);
     let text = serde_json::to_vec_pretty(&model)
@@ -80,7 +59,8 @@ fn into_cps(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome> {
     Ok(Outcome::Holds)
 }
 
-fn ssp(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome> {
+/// Writes an SSP archive.
+pub(super) fn ssp(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome> {
     let (assembly, version, binary) = assembly(args)?;
     let archive = ssp::archive(&assembly, version, &binary)?;
     files::write_atomically(&args.out, &archive)?;

@@ -1,0 +1,148 @@
+"""Runs Cordon and its peers on the same work, checks that all finished vectors have the same
+hash, and prints the tables in Markdown. Called by run.sh, which builds what is installed.
+
+The work: exact positions after k protocol steps, eps = 1/5, drone i of N at 40i/(N-1) and the
+last at 100. CPU seconds of the computation alone, the best of several runs (one, where a run
+takes seconds); the second table has whole processes by the clock, start-up and output included."""
+import os
+import shutil
+import subprocess
+import sys
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+BUILD = sys.argv[1]
+LIMIT = float(os.environ.get("PEERS_LIMIT", "60"))
+WORK = [(20, 1000), (20, 10_000), (100, 1000), (100, 10_000), (100, 100_000)]
+
+AT = os.path.join(BUILD, "at")
+AT_GMP = os.path.join(BUILD, "at-gmp")
+FLINT = os.path.join(BUILD, "flint")
+MULTIPLY = os.path.join(BUILD, "multiply")
+
+# Name, command with {n} and {k}, and how its cost grows: (of N, of k), to skip what would not end.
+PEERS = [
+    ("Cordon, jump", [AT, "{n}", "{k}", "jump"]),
+    ("Cordon, jump over GMP", [AT_GMP, "{n}", "{k}", "gmp"]),
+    ("Cordon, jump over num-bigint", [AT, "{n}", "{k}", "num-bigint"]),
+    ("Cordon, step by step", [AT, "{n}", "{k}", "step"]),
+    ("FLINT integers, step by step", [FLINT, "{n}", "{k}", "step"]),
+    ("FLINT integer matrix power", [FLINT, "{n}", "{k}", "matrix"]),
+    ("FLINT rational powering", [FLINT, "{n}", "{k}", "rational"]),
+    ("Python integers, common denominator", [sys.executable, os.path.join(HERE, "integers.py"), "{n}", "{k}"]),
+    ("Python Fraction", [sys.executable, os.path.join(HERE, "fraction.py"), "{n}", "{k}"]),
+    ("SBCL rationals", ["sbcl", "--script", os.path.join(HERE, "rationals.lisp"), "{n}", "{k}"]),
+]
+
+
+def installed(command):
+    return shutil.which(command[0]) is not None
+
+
+def once(command):
+    """Seconds and hash, or None where the time limit is exceeded."""
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT + 5)
+    except subprocess.TimeoutExpired:
+        return None
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(command)}: exit code {done.returncode}: {done.stderr.strip()}")
+    seconds, digest = done.stdout.split()[:2]
+    return float(seconds), digest
+
+
+def best(command):
+    found = once(command)
+    rounds = 0 if found is None else min(9, int(2 / max(found[0], 0.05)))
+    for _ in range(rounds):
+        again = once(command)
+        if again is None:
+            break
+        if again[1] != found[1]:
+            sys.exit(f"{' '.join(command)}: two runs, two results")
+        found = min(found, again)
+    return found
+
+
+def cell(seconds, reference):
+    if seconds is None:
+        return f"over {LIMIT:.0f}"
+    shown = f"{seconds:.2g}" if seconds < 10 else f"{seconds:.0f}"
+    if seconds < 0.01:
+        shown = f"{seconds:.5f}".rstrip("0")
+    return shown if reference is None else f"{shown} ({seconds / reference:.2g}x)"
+
+
+def exact_table():
+    rows, digests = {}, {}
+    for n, k in WORK:
+        for name, template in PEERS:
+            command = [part.format(n=n, k=k) for part in template]
+            if not installed(command):
+                continue
+            column = rows.setdefault(name, {})
+            # A peer that did not end on less work will not end on more.
+            if any(column.get(w, 0) is None and w[0] <= n and w[1] <= k for w in WORK):
+                column[n, k] = None
+                continue
+            found = best(command)
+            column[n, k] = found and found[0]
+            if found:
+                digests.setdefault((n, k), {})[name] = found[1]
+            print(f"N = {n}, k = {k}, {name}: {found}", file=sys.stderr)
+    for work, by_name in digests.items():
+        if len(set(by_name.values())) != 1:
+            sys.exit(f"{work}: the finished vectors differ: {by_name}")
+    print("| exact `kth_step`, CPU seconds (ratio to Cordon's default) | "
+          + " | ".join(f"N = {n}, k = {k:,}" for n, k in WORK) + " |")
+    print("|---|" + "---|" * len(WORK))
+    for name, column in rows.items():
+        cells = [cell(column[w], rows["Cordon, jump"][w]) for w in WORK]
+        print(f"| {name} | " + " | ".join(cells) + " |")
+    finished = sum(len(d) for d in digests.values())
+    print(f"\nAll {finished} finished vectors have identical hashes (one for each column).")
+    return rows
+
+
+def multiplication(rows):
+    if not installed([MULTIPLY]):
+        return
+    n, k = WORK[-1]
+    bits = int(subprocess.run([AT, str(n), str(k), "jump"], capture_output=True, text=True, check=True)
+               .stdout.split()[2])
+    unit = min(float(subprocess.run([MULTIPLY, str(bits)], capture_output=True, text=True, check=True).stdout)
+               for _ in range(3))
+    print(f"\nOne GMP multiplication of two integers as long as the answer of N = {n}, k = {k:,} "
+          f"({bits / 1e6:.0f} Mbit, numerators and denominators) takes {unit:.2g} s:")
+    for name in ("Cordon, jump", "Cordon, jump over GMP"):
+        if name in rows:
+            less = rows[name][n, k // 10]
+            print(f"{name}: {rows[name][n, k] / unit:.2g} such multiplications; from k = {k // 10:,} "
+                  f"to {k:,} its time grows {rows[name][n, k] / less:.2g} times.")
+
+
+def whole_processes():
+    cordon = os.path.join(BUILD, "cordon")
+    scenario = os.path.join(HERE, "..", "..", "scenarios", "paper.toml")
+    line = ["--drones", "20", "--spread-to", "40", "--max", "100", "--eps", "1/5"]
+    runs = [
+        ("`cordon trace scenarios/paper.toml`", [cordon, "trace", scenario]),
+        ("`cordon trace --at 1000`, N = 20", [cordon, "trace", *line, "--at", "1000"]),
+        ("Python integers, N = 20, k = 1,000", [sys.executable, os.path.join(HERE, "integers.py"), "20", "1000"]),
+    ]
+    print("\n| whole process | milliseconds |")
+    print("|---|---|")
+    for name, command in runs:
+        if not installed(command):
+            continue
+        fastest = float("inf")
+        for _ in range(20):
+            begun = time.perf_counter()
+            subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
+            fastest = min(fastest, time.perf_counter() - begun)
+        print(f"| {name} | {fastest * 1e3:.1f} |")
+
+
+if __name__ == "__main__":
+    multiplication(exact_table())
+    whole_processes()

@@ -1,0 +1,34 @@
+#!/bin/sh
+# Builds Cordon and those of its peers whose tools are installed, runs all on the same work,
+# checks that their results are the same, and prints the tables in Markdown on stdout.
+#
+# Peers: Python 3 (also runs the comparison), FLINT and GMP (Debian: libflint-dev, libgmp-dev),
+# SBCL. Set PEERS_LIMIT for another time limit of a run than 60 s, GMP=no to leave out the
+# feature `gmp` (which builds GMP from source).
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../.." && pwd)
+build="$root/target/peers"
+mkdir -p "$build"
+cd "$root"
+
+say() { echo "$*" >&2; }
+
+if [ "${GMP:-yes}" = yes ] && command -v m4 >/dev/null; then
+    cargo build --quiet --release --features gmp --example at
+    cp target/release/examples/at "$build/at-gmp"
+else
+    say "without GMP as a backend: needs m4, and GMP=no not set"
+fi
+cargo build --quiet --release --bin cordon --example at
+cp target/release/cordon target/release/examples/at "$build/"
+
+compile() { # name, libraries
+    if cc -O2 -o "$build/$1" "$here/$1.c" $2 2>"$build/$1.log"; then :; else
+        say "without $1: its libraries are not installed ($build/$1.log)"
+    fi
+}
+compile flint "-lflint -lgmp -lm"
+compile multiply "-lgmp"
+command -v sbcl >/dev/null || say "without SBCL: not installed"
+exec python3 "$here/run.py" "$build"

@@ -1,0 +1,70 @@
+//! `cordon check`.
+
+use std::fs::File;
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+
+use cordon_check::Verdict;
+use cordon_check::format::MAX_BYTES;
+use serde_json::json;
+
+use super::select::OutputFormat;
+use crate::{Error, Outcome, Result};
+
+/// Arguments of `cordon check`.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    /// Certificates to check (proofs/checker/FORMAT.md describes them)
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    pub format: OutputFormat,
+}
+
+/// Lets the independent checker judge certificates; the worst verdict decides.
+pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    let mut outcome = Outcome::Holds;
+    let (mut verdicts, mut unreadable) = (Vec::new(), Vec::new());
+    for path in &args.files {
+        let verdict = judge(path)?;
+        outcome = outcome.worst(match verdict {
+            Verdict::Valid { .. } | Verdict::Unreadable { .. } => Outcome::Holds,
+            Verdict::Incomplete { .. } => Outcome::Inconclusive,
+            Verdict::Invalid { .. } => Outcome::Rejected,
+        });
+        if matches!(verdict, Verdict::Unreadable { .. }) {
+            unreadable.push(path.display().to_string());
+        }
+        match args.format {
+            OutputFormat::Text => writeln!(out, "{}: {verdict}", path.display())?,
+            OutputFormat::Json => verdicts.push(json!({
+                "file": path.display().to_string(),
+                "verdict": verdict.label(),
+                "message": verdict.to_string(),
+            })),
+        }
+    }
+    if args.format == OutputFormat::Json {
+        let page = json!({ "schema": "cordon-verdicts/1", "verdicts": verdicts });
+        writeln!(out, "{page:#}")?;
+    }
+    out.flush()?;
+    if outcome == Outcome::Holds && !unreadable.is_empty() {
+        let files = unreadable.join("`, `");
+        return Err(Error::input(format!("`{files}`: expected a certificate")));
+    }
+    Ok(outcome)
+}
+
+/// Reads no more than the largest certificate.
+fn judge(path: &Path) -> Result<Verdict> {
+    let fail = |e| Error::file("read", path, e);
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(fail)?;
+    file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(fail)?;
+    Ok(match String::from_utf8(bytes) {
+        Ok(text) => cordon_check::check(&text),
+        Err(_) => Verdict::Unreadable { reason: "no UTF-8 text".into() },
+    })
+}

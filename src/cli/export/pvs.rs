@@ -1,0 +1,75 @@
+//! `cordon export pvs`.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use crate::export::pvs::{Instance, files};
+use crate::scenario::{self, Scenario};
+use crate::{Error, Outcome, Result};
+
+/// Arguments of `cordon export pvs`.
+#[derive(clap::Args, Debug)]
+#[command(
+    after_help = "Writes coverage.pvs (Listings 3 and 4, theorems), fmu_coverage.pvs (Listings 5 and 6, \
+projection theorem) and scenario.pvs. Without --out the three follow one another on stdout."
+)]
+pub struct Args {
+    /// Scenario file (TOML) of the coverage protocol [default: the paper's run of Fig. 8]
+    #[arg(long, value_name = "FILE")]
+    pub scenario: Option<PathBuf>,
+    /// Folder to write the files to; it is created where it is missing
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// Most drones of a scenario theory: its start is a chain of as many conditions.
+const MAX_DRONES: usize = 1_000;
+
+/// Exports.
+pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    let files = files(&instance(args)?);
+    match &args.out {
+        None => {
+            for file in &files {
+                out.write_all(file.text.as_bytes())?;
+                writeln!(out)?;
+            }
+        }
+        Some(folder) => {
+            std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
+            for file in &files {
+                let path = folder.join(file.name);
+                crate::files::write_atomically(&path, file.text.as_bytes())?;
+                writeln!(out, "{}", path.display())?;
+            }
+        }
+    }
+    Ok(Outcome::Holds)
+}
+
+fn instance(args: &Args) -> Result<Instance> {
+    let scenario = match &args.scenario {
+        Some(path) => scenario::read(path)?.finish().map_err(|e| match e {
+            Error::Input(message) => Error::input(format!("{}: {message}", path.display())),
+            other => other,
+        })?,
+        None => scenario::parse("scenarios/paper.toml", PAPER)?.finish()?,
+    };
+    let Scenario { title, .. } = &scenario;
+    let params = scenario.params().ok_or_else(|| {
+        Error::input(format!(
+            "protocol: `{}`: expected `coverage`, the protocol of the paper's listings",
+            scenario.protocol.name()
+        ))
+    })?;
+    if scenario.count() > MAX_DRONES {
+        return Err(Error::input(format!(
+            "drones: `{}`: expected at most {MAX_DRONES} in a PVS theory",
+            scenario.count()
+        )));
+    }
+    Ok(Instance { title: title.clone(), params, initial: scenario.initial() })
+}
+
+/// The shipped scenario of Fig. 8.
+const PAPER: &str = include_str!("../../../scenarios/paper.toml");

@@ -1,0 +1,226 @@
+//! `cordon export smt2`.
+
+use std::io::{Read, Write};
+use std::path::PathBuf;
+
+use cordon_spec::theorems::{Form, Subject};
+
+use super::super::select::FormArg;
+
+use crate::export::claim::Claim;
+use crate::export::smt_model::{Answer, Model, Replay, read_answer, replay};
+use crate::export::smt2::{
+    Interval, MAX_DRONES, MIN_DRONES, Obligation, Query, Weights, has_beyond, obligations,
+};
+use crate::{Error, Outcome, Result, exact, files};
+
+/// Arguments of `cordon export smt2`.
+#[derive(clap::Args, Debug)]
+#[command(
+    after_help = "A solver that answers `unsat` to every query proves the theorem for that number of \
+drones and all steps. With `--negate` it looks for a counterexample to the theorem beyond its range of \
+weights: `cordon export smt2 7.2 --drones 4 --negate | z3 -in`."
+)]
+pub struct Args {
+    /// Which claims: numbers like 7.2 or 7.4ii, `mirror`, `box`, separated by commas [default: all]
+    #[arg(value_name = "THEOREMS")]
+    pub claims: Option<String>,
+    /// Number of drones, or an inclusive range like 3..6
+    #[arg(long, value_name = "N", default_value = "3..6")]
+    pub drones: String,
+    /// Which reading of the theorems
+    #[arg(long, value_enum, default_value_t = FormArg::Sharp)]
+    pub form: FormArg,
+    /// Weights instead of the theorem's: an interval like `(1/2,1]`
+    #[arg(long, value_name = "INTERVAL", allow_hyphen_values = true)]
+    pub eps_range: Option<String>,
+    /// Ask for a counterexample to the theorem: beyond its weights (within 0 <= eps <= 1), or in --eps-range
+    #[arg(long)]
+    pub negate: bool,
+    /// With --negate: look at steps up to K
+    #[arg(long, value_name = "K", default_value_t = 1, requires = "negate", value_parser = clap::value_parser!(u8).range(0..=8))]
+    pub steps: u8,
+    /// With --negate and one claim and N: read a solver's answer (`-`: stdin) and replay its model exactly
+    #[arg(long, value_name = "FILE", requires = "negate", conflicts_with = "out")]
+    pub answer: Option<PathBuf>,
+    /// Write to a file [default: stdout]
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+/// Exports, or replays an answer.
+pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    let queries = queries(args)?;
+    if let Some(path) = &args.answer {
+        return answer(&queries, path, out);
+    }
+    let text = script(&queries);
+    match &args.out {
+        Some(path) => files::write_atomically(path, text.as_bytes())?,
+        None => out.write_all(text.as_bytes())?,
+    }
+    Ok(Outcome::Holds)
+}
+
+/// All queries in one script; `(reset)` makes each independent of those before.
+fn script(queries: &[Query]) -> String {
+    let mut text = String::new();
+    for (n, query) in queries.iter().enumerate() {
+        if n > 0 {
+            text.push_str("(reset)\n\n");
+        }
+        text.push_str(&query.text());
+    }
+    text
+}
+
+fn queries(args: &Args) -> Result<Vec<Query>> {
+    let claims = Claim::named(args.claims.as_deref().unwrap_or("all"))?;
+    let (first, last) = drones(&args.drones)?;
+    let interval = args.eps_range.as_deref().map(interval).transpose()?;
+    let form = Form::from(args.form);
+    let mut queries = Vec::new();
+    for claim in claims {
+        for n in first..=last {
+            if !args.negate {
+                let weights = interval.clone().map_or(Weights::OfHypothesis, Weights::Interval);
+                queries.extend(obligations(claim, form, n, &weights));
+                continue;
+            }
+            let weights = match &interval {
+                Some(interval) => Weights::Interval(interval.clone()),
+                None if has_beyond(claim, n) => Weights::Beyond,
+                None if args.claims.is_none() || args.claims.as_deref() == Some("all") => continue,
+                None => {
+                    return Err(Error::input(format!(
+                        "--negate: {claim} with {n} drones holds for all 0 <= eps <= 1: \
+                         expected --eps-range with the weights to look at"
+                    )));
+                }
+            };
+            let obligation = Obligation::Violated { steps: args.steps.into() };
+            queries.push(Query { claim, form, drones: n, obligation, weights });
+        }
+    }
+    Ok(queries)
+}
+
+fn drones(text: &str) -> Result<(usize, usize)> {
+    let bad = || {
+        Error::input(format!(
+            "--drones: `{text}`: expected a number or a range like 3..6, within {MIN_DRONES}..{MAX_DRONES}"
+        ))
+    };
+    let number = |t: &str| t.trim().parse::<usize>().map_err(|_| bad());
+    let (first, last) = match text.split_once("..") {
+        Some((a, b)) => (number(a)?, number(b)?),
+        None => (number(text)?, number(text)?),
+    };
+    if MIN_DRONES <= first && first <= last && last <= MAX_DRONES {
+        Ok((first, last))
+    } else {
+        Err(bad())
+    }
+}
+
+fn interval(text: &str) -> Result<Interval> {
+    let bad = || {
+        Error::input(format!(
+            "--eps-range: `{text}`: expected an interval like `[0,1/2]` or `(1/2,1]`"
+        ))
+    };
+    let t = text.trim();
+    let (low_closed, t) = match (t.strip_prefix('['), t.strip_prefix('(')) {
+        (Some(rest), _) => (true, rest),
+        (_, Some(rest)) => (false, rest),
+        _ => return Err(bad()),
+    };
+    let (high_closed, t) = match (t.strip_suffix(']'), t.strip_suffix(')')) {
+        (Some(rest), _) => (true, rest),
+        (_, Some(rest)) => (false, rest),
+        _ => return Err(bad()),
+    };
+    let (low, high) = t.split_once(',').ok_or_else(bad)?;
+    let (low, high) = (exact::parse("--eps-range", low)?, exact::parse("--eps-range", high)?);
+    if low < high || (low == high && low_closed && high_closed) {
+        Ok(Interval { low, low_closed, high, high_closed })
+    } else {
+        Err(Error::input(format!("--eps-range: `{text}` is empty: expected its lower end first")))
+    }
+}
+
+fn answer(queries: &[Query], path: &std::path::Path, out: &mut dyn Write) -> Result<Outcome> {
+    let [query] = queries else {
+        return Err(Error::input(
+            "--answer: expected one claim and one number of drones, like `7.2 --drones 4`",
+        ));
+    };
+    let text = if path.as_os_str() == "-" {
+        let mut text = String::new();
+        std::io::stdin().read_to_string(&mut text).map_err(|e| Error::file("read", path, e))?;
+        text
+    } else {
+        files::read_text(path)?
+    };
+    match read_answer(query, &text)? {
+        Answer::Unsat => {
+            writeln!(out, "unsat: the solver finds no counterexample")?;
+            Ok(Outcome::Holds)
+        }
+        Answer::Unknown(word) => {
+            writeln!(out, "{word}: the solver gave up")?;
+            Ok(Outcome::Inconclusive)
+        }
+        Answer::Sat(None) => Err(Error::input(
+            "solver's model: expected values after `sat` (the answer to `get-value`)",
+        )),
+        Answer::Sat(Some(model)) => report(query, &model, out),
+    }
+}
+
+fn report(query: &Query, model: &Model, out: &mut dyn Write) -> Result<Outcome> {
+    let start: Vec<_> = model.start.iter().map(ToString::to_string).collect();
+    let (p, start) = (&model.params, start.join(","));
+    match replay(query, model) {
+        Replay::Violates { k, violation } => {
+            let (claim, form) = (query.claim, query.form.label());
+            let what = subject(violation.subject);
+            writeln!(
+                out,
+                "refuted: {claim} ({form} form) about step {k} of this run fails at step {} for {what}, by exact replay",
+                k + violation.step,
+            )?;
+            let steps = k + query.claim.span(query.form, query.drones);
+            writeln!(
+                out,
+                "replay: cordon trace --min={} --max={} --eps={} --start={start} --steps={steps}{}",
+                p.min,
+                p.max,
+                p.eps,
+                check_flags(query)
+            )?;
+            Ok(Outcome::Refuted)
+        }
+        Replay::DoesNot(why) => {
+            writeln!(out, "the solver's model is no counterexample: {why}")?;
+            Ok(Outcome::Inconclusive)
+        }
+    }
+}
+
+/// What makes `cordon trace` check the claim, where it is a theorem.
+fn check_flags(query: &Query) -> String {
+    match query.claim {
+        Claim::Theorem(_) => format!(" --check={} --form={}", query.claim, query.form.label()),
+        Claim::Mirror | Claim::Box => String::new(),
+    }
+}
+
+fn subject(subject: Subject) -> String {
+    match subject {
+        Subject::Pair(i) => format!("drones {i} and {}", i + 1),
+        Subject::Drone(i) => format!("drone {i}"),
+        Subject::Sum => "the sum of the positions".to_owned(),
+        Subject::Energy => "the sum of the squared errors".to_owned(),
+    }
+}

@@ -1,0 +1,41 @@
+//! `cordon figures`.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use crate::figures::{FIGURES, Format};
+use crate::{Error, Outcome, Result};
+
+/// Arguments of `cordon figures`.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    /// Only these numbers, separated by commas [default: 8,9,10,11,12,15,16]
+    #[arg(value_name = "NUMBERS", value_delimiter = ',')]
+    numbers: Vec<u32>,
+    /// Folder of the figures; it is made where there is none
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    out: PathBuf,
+    /// Form of the figures
+    #[arg(long, value_enum, default_value_t = Format::Svg)]
+    format: Format,
+}
+
+/// Runs and draws the figures, and prints the names of their files.
+pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    let known = |n: &u32| FIGURES.iter().any(|f| f.number == *n);
+    if let Some(unknown) = args.numbers.iter().find(|n| !known(n)) {
+        let numbers: Vec<_> = FIGURES.iter().map(|f| f.number.to_string()).collect();
+        return Err(Error::input(format!(
+            "figure: `{unknown}` is unknown: expected some of {}",
+            numbers.join(", ")
+        )));
+    }
+    std::fs::create_dir_all(&args.out).map_err(|e| Error::file("make", &args.out, e))?;
+    for figure in
+        FIGURES.iter().filter(|f| args.numbers.is_empty() || args.numbers.contains(&f.number))
+    {
+        let path = figure.save(args.format, &args.out)?;
+        writeln!(out, "{}", path.display())?;
+    }
+    Ok(Outcome::Holds)
+}

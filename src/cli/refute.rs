@@ -1,0 +1,329 @@
+//! `cordon refute`.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use cordon_spec::theorems::{Form, Theorem};
+use num_traits::{One, Zero};
+use serde_json::{Value, json};
+
+use super::scenario_args::positions;
+use super::select::{FormArg, OutputFormat, theorems_named};
+use super::table::{self, abridged};
+use super::{own_protocol, ranges};
+use crate::certificate::{self, Departure, REJECTED};
+use crate::counterexample::Counterexample;
+use crate::exact::fraction;
+use crate::linear::simplest::fractions_within;
+use crate::refute::{Answer, Coverage, Extent, Query, Weights, activation, delay, search};
+use crate::{Error, Outcome, Rational, Result};
+
+/// Arguments of `cordon refute`.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    /// Which theorems: numbers like 7.2 or 7.4ii, separated by commas, or `all`
+    #[arg(value_name = "THEOREM", required_unless_present = "protocol")]
+    theorem: Option<String>,
+    /// Refute the claims of an own protocol instead (TOML, see `scenarios/own/`)
+    #[arg(
+        long,
+        value_name = "FILE",
+        conflicts_with_all = ["theorem", "form", "drones", "activation", "delay", "out"]
+    )]
+    protocol: Option<PathBuf>,
+    /// With --protocol: only the run from this start
+    #[arg(long, value_name = "X,...", allow_hyphen_values = true, requires = "protocol")]
+    start: Option<String>,
+    /// Form of the theorem: its start set, and its weights where --eps is not given
+    #[arg(long, value_enum, default_value_t = FormArg::Sharp)]
+    form: FormArg,
+    /// Number of drones, or a range, from 3 to 50
+    #[arg(long, value_name = "N|LO..HI", default_value = "3..6")]
+    drones: String,
+    /// Weight or range of weights, whatever the theorem says of them [default: the theorem's]
+    #[arg(long, value_name = "E|LO..HI", allow_hyphen_values = true)]
+    eps: Option<String>,
+    /// Of a range of weights, the fractions with denominators up to this are searched
+    #[arg(long, value_name = "Q", default_value_t = 8)]
+    denominators: u32,
+    /// Last step, 0 to 1000
+    #[arg(long, value_name = "K", default_value_t = 8)]
+    steps: usize,
+    /// In every step any subset of the drones may skip its update
+    #[arg(long, conflicts_with = "delay")]
+    activation: bool,
+    /// Each drone may see each neighbour up to this many steps late
+    #[arg(long, value_name = "D")]
+    delay: Option<usize>,
+    /// File for the counterexample as a certificate
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    format: OutputFormat,
+}
+
+const MOST_DRONES: usize = 50;
+const MOST_STEPS: usize = 1_000;
+const MOST_DENOMINATORS: u32 = 100;
+
+/// Searches for the smallest counterexample.
+pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    args.check()?;
+    if let Some(path) = &args.protocol {
+        return own_protocol::refute(path, &args.own_search()?, args.format, out);
+    }
+    let queries = args.queries()?;
+    if args.out.is_some() && queries.len() > 1 {
+        let named = queries.len();
+        return Err(Error::input(format!("out: {named} theorems are named: expected one")));
+    }
+    let mut outcome = Outcome::Holds;
+    let mut results = Vec::new();
+    for query in &queries {
+        let answer = match args.delay {
+            Some(longest) => delay::search(query, longest)?,
+            None if args.activation => activation::search(query)?,
+            None => search(query),
+        };
+        outcome = outcome.worst(match &answer.found {
+            Some(_) => Outcome::Refuted,
+            None => Outcome::Inconclusive,
+        });
+        let refutation = answer.found.as_ref().map(certificate::refutation);
+        if refutation.as_ref().is_some_and(|c| !certificate::accepted(c)) {
+            writeln!(out, "{REJECTED}")?;
+            return Ok(Outcome::Rejected);
+        }
+        let file = match (&args.out, &refutation) {
+            (Some(path), Some(refutation)) => Some(certificate::write_file(path, refutation)?),
+            _ => None,
+        };
+        match args.format {
+            OutputFormat::Text => {
+                args.text(query, &answer, out)?;
+                if let Some(file) = file {
+                    writeln!(out, "  wrote   {file}")?;
+                }
+            }
+            OutputFormat::Json => results.push(as_json(query, &answer)),
+        }
+    }
+    if args.format == OutputFormat::Json {
+        let page = json!({
+            "schema": "cordon-refute/1",
+            "steps": args.steps,
+            "activation": args.activation,
+            "delay": args.delay,
+            "results": results,
+        });
+        writeln!(out, "{page:#}")?;
+    }
+    Ok(outcome)
+}
+
+impl Args {
+    fn check(&self) -> Result<()> {
+        if self.steps > MOST_STEPS {
+            return Err(Error::input(format!(
+                "steps: `{}`: expected at most {MOST_STEPS}",
+                self.steps
+            )));
+        }
+        if !(1..=MOST_DENOMINATORS).contains(&self.denominators) {
+            return Err(Error::input(format!(
+                "denominators: `{}`: expected a number from 1 to {MOST_DENOMINATORS}",
+                self.denominators
+            )));
+        }
+        Ok(())
+    }
+
+    fn own_search(&self) -> Result<own_protocol::Search> {
+        let weights = match self.weights()? {
+            Weights::Given(weights) => Some(weights),
+            Weights::InRange(_) => None,
+        };
+        let start = self.start.as_deref().map(positions).transpose()?;
+        Ok(own_protocol::Search {
+            weights,
+            denominators: self.denominators,
+            steps: self.steps,
+            start,
+        })
+    }
+
+    fn queries(&self) -> Result<Vec<Query>> {
+        let theorems = theorems_named(self.theorem.as_deref().unwrap_or("all"))?;
+        let drones = ranges::drones(&self.drones, MOST_DRONES)?;
+        let weights = self.weights()?;
+        let form = Form::from(self.form);
+        let query = |theorem| Query {
+            theorem,
+            form,
+            drones: drones.clone(),
+            weights: weights.clone(),
+            steps: self.steps,
+        };
+        Ok(theorems.into_iter().map(query).collect())
+    }
+
+    fn weights(&self) -> Result<Weights> {
+        let Some(text) = &self.eps else {
+            let unit = fractions_within(&Rational::zero(), &Rational::one(), self.denominators);
+            return Ok(Weights::InRange(unit));
+        };
+        let (lo, hi) = ranges::interval("eps", text)?;
+        if lo == hi {
+            return Ok(Weights::Given(vec![lo]));
+        }
+        if &hi - &lo > Rational::from_integer(100.into()) {
+            return Err(Error::input(format!(
+                "eps: `{text}`: expected a range of length 100 or less"
+            )));
+        }
+        let within = fractions_within(&lo, &hi, self.denominators);
+        if within.is_empty() {
+            return Err(Error::input(format!(
+                "eps: `{text}`: has no fraction with a denominator up to {}: expected a wider range or more --denominators",
+                self.denominators
+            )));
+        }
+        Ok(Weights::Given(within))
+    }
+
+    fn text(&self, query: &Query, answer: &Answer, out: &mut dyn Write) -> Result<()> {
+        let t = query.theorem.text();
+        let hypothesis = query.theorem.hypothesis(query.form);
+        let manner = match (self.activation, self.delay) {
+            (true, _) => ", any subset of the drones skipping any step".to_owned(),
+            (_, Some(d)) => format!(", neighbours seen up to {d} steps late"),
+            _ => String::new(),
+        };
+        let label = query.form.label();
+        writeln!(
+            out,
+            "{} {} ({label} form{manner}): starts {}",
+            t.number,
+            t.name,
+            hypothesis.starts.text()
+        )?;
+        match &answer.found {
+            Some(found) => refuted(found, hypothesis.weights.text(), out)?,
+            None => writeln!(out, "  not refuted: no counterexample was found")?,
+        }
+        for line in coverage_lines(&answer.covered, |extent| self.extent(query, extent)) {
+            writeln!(out, "  {line}")?;
+        }
+        Ok(())
+    }
+
+    /// What is known where no counterexample was found.
+    fn extent(&self, query: &Query, extent: Extent) -> String {
+        let steps = query.steps;
+        match (extent, self.activation, self.delay) {
+            (Extent::EveryStartAndStep, true, _) => {
+                "none exists: complete for all starts, steps and patterns (inductive)".to_owned()
+            }
+            (Extent::EveryStartAndStep, _, Some(_)) => {
+                "none exists: complete for all starts, steps and delays whatsoever (inductive)"
+                    .to_owned()
+            }
+            (Extent::EveryStartAndStep, ..) if query.theorem == Theorem::Limit => {
+                "none exists: complete for all starts and all steps (I - A^2 positive definite)"
+                    .to_owned()
+            }
+            (Extent::EveryStartAndStep, ..) => {
+                "none exists: complete for all starts and all steps (inductive)".to_owned()
+            }
+            (Extent::EveryStart, true, _) => {
+                format!("none exists up to step {steps}: complete for all starts and patterns")
+            }
+            (Extent::EveryStart, _, Some(longest)) => format!(
+                "none exists up to step {steps}: complete for all starts and all constant delays up to {longest}"
+            ),
+            (Extent::EveryStart, ..) => {
+                format!("none exists up to step {steps}: complete for all starts")
+            }
+            (Extent::Tried, ..) => format!("none found up to step {steps}: not complete"),
+        }
+    }
+}
+
+fn refuted(found: &Counterexample, range: &str, out: &mut dyn Write) -> Result<()> {
+    writeln!(
+        out,
+        "  refuted at N = {}, eps = {}: {}",
+        found.start().len(),
+        fraction(&found.eps),
+        found.what_fails()
+    )?;
+    if !found.weight_is_in_range() {
+        writeln!(out, "  (no contradiction: the theorem is about {range})")?;
+    }
+    match &found.departure {
+        Departure::None => {}
+        Departure::Activation(steps) => {
+            for (t, active) in steps.iter().enumerate() {
+                writeln!(out, "  step {}: drones {} update", t + 1, drone_list(active))?;
+            }
+        }
+        Departure::Delay(steps) => {
+            for &(i, j, age) in steps.last().map_or(&[][..], Vec::as_slice) {
+                let late = if age == 1 { "step" } else { "steps" };
+                writeln!(out, "  drone {i} sees drone {j} {age} {late} late")?;
+            }
+        }
+    }
+    table::placements(&found.run, out)?;
+    if found.departure == Departure::None {
+        writeln!(out, "  replay: {}", found.replay_line())?;
+    }
+    Ok(())
+}
+
+fn drone_list(drones: &[usize]) -> String {
+    if drones.is_empty() {
+        return "none".to_owned();
+    }
+    drones.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// One line for every number of drones and every extent.
+fn coverage_lines(covered: &[Coverage], describe: impl Fn(Extent) -> String) -> Vec<String> {
+    let mut counts: Vec<usize> = covered.iter().map(|c| c.count).collect();
+    counts.dedup();
+    let mut lines = Vec::new();
+    for count in counts {
+        for extent in [Extent::EveryStartAndStep, Extent::EveryStart, Extent::Tried] {
+            let here = |c: &&Coverage| c.count == count && c.extent == extent;
+            let mut weights: Vec<&Rational> = covered.iter().filter(here).map(|c| &c.eps).collect();
+            weights.sort();
+            let weights: Vec<String> = weights.into_iter().map(fraction).collect();
+            if weights.is_empty() {
+                continue;
+            }
+            let what = describe(extent);
+            lines.push(format!("N = {count}, eps = {}: {what}", abridged(&weights)));
+        }
+    }
+    lines
+}
+
+fn as_json(query: &Query, answer: &Answer) -> Value {
+    json!({
+        "theorem": query.theorem.text().number,
+        "form": query.form.label(),
+        "refuted": answer.found.is_some(),
+        "counterexample": answer.found.as_ref().map(Counterexample::to_json),
+        "covered": answer.covered.iter().map(|c| json!({
+            "drones": c.count,
+            "eps": fraction(&c.eps),
+            "without_counterexample": match c.extent {
+                Extent::EveryStartAndStep => "every start, every step",
+                Extent::EveryStart => "every start, up to the last step",
+                Extent::Tried => "some starts, up to the last step",
+            },
+        })).collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,128 @@
+//! `cordon sweep` and `cordon sweep merge`.
+
+mod options;
+mod show;
+mod watch;
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use super::select::OutputFormat;
+use crate::sweep::run::{Progress, run as run_items, work};
+use crate::sweep::store::{Header, Shard, Store, line_of};
+use crate::sweep::{Config, Finding, merge};
+use crate::{Error, Outcome, Result, files};
+
+/// Arguments of `cordon sweep`.
+#[derive(clap::Args, Debug)]
+#[command(args_conflicts_with_subcommands = true, after_help = MORE)]
+pub struct Args {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    options: options::Options,
+}
+
+const MORE: &str = "\
+Every start on the grid is tried at every step k = 0 .. K, or with --complete all real starts \
+at once. A row says which kind of evidence it is. Segments are [0, L] with L the smallest \
+multiple of N-1 of at least G grid units; for theorems whose starts lie in the first subsegment \
+(assumption 3) that subsegment has G units.
+
+Exit codes: 0 every claim holds, 1 some claim is refuted (a counterexample is printed, with the \
+command that replays it), 2 bad usage or input, 3 some claim is vacuous or undecided, 74 I/O error";
+
+#[derive(clap::Subcommand, Debug)]
+enum Command {
+    /// Put the result files of all parts of a sweep together
+    Merge(MergeArgs),
+}
+
+/// Arguments of `cordon sweep merge`.
+#[derive(clap::Args, Debug)]
+struct MergeArgs {
+    /// Result files of `cordon sweep --out`
+    #[arg(required = true, value_name = "FILES")]
+    files: Vec<PathBuf>,
+    /// Write the whole sweep to this result file
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    format: OutputFormat,
+}
+
+/// Sweeps, or merges the parts of a sweep.
+pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    match &args.command {
+        Some(Command::Merge(m)) => merged(m, out),
+        None => swept(&args.options, out),
+    }
+}
+
+fn merged(args: &MergeArgs, out: &mut dyn Write) -> Result<Outcome> {
+    let (config, findings) = merge::merge(&args.files)?;
+    let header = Header::new(&config, Shard::WHOLE, findings.len());
+    if let Some(path) = &args.out {
+        let mut content = line_of(&header)?;
+        for finding in &findings {
+            content.push_str(&line_of(finding)?);
+        }
+        files::write_atomically(path, content.as_bytes())?;
+    }
+    show::report(&header, &findings, args.format, out)
+}
+
+fn swept(options: &options::Options, out: &mut dyn Write) -> Result<Outcome> {
+    let config = options.config()?;
+    let shard = options.shard()?;
+    let all = config.items()?;
+    let header = Header::new(&config, shard, all.len());
+    let items = shard.of_items(all);
+    if items.is_empty() {
+        return Err(nothing(&config, shard));
+    }
+    let total = work(&config, &items)?;
+    let (mut store, mut findings) = match &options.out {
+        Some(path) => {
+            let (store, findings) = Store::open(path, &header, &items)?;
+            (Some(store), findings)
+        }
+        None => (None, Vec::new()),
+    };
+    let left = items.get(findings.len()..).unwrap_or_default();
+    let resumed = items.len() - left.len();
+    let total = if resumed == 0 { total } else { work(&config, left)? };
+    let progress = Progress::default();
+    let emit = |finding: Finding| {
+        if let Some(store) = &mut store {
+            store.add(&finding)?;
+        }
+        findings.push(finding);
+        Ok(())
+    };
+    watch::watched(&progress, total, watch::Unit::of(&config), resumed, || {
+        run_items(&config, left, options.threads()?, &progress, emit)
+    })?;
+    if let Some(store) = store {
+        store.finish()?;
+    }
+    let outcome = show::report(&header, &findings, options.format, out)?;
+    out.flush()?;
+    options.say_how_to_repeat(&config);
+    Ok(outcome)
+}
+
+fn nothing(config: &Config, shard: Shard) -> Error {
+    if shard == Shard::WHOLE {
+        Error::input(format!(
+            "eps: no weight is in the range of {}: expected one, or `--any-weight`",
+            config.theorems.join(", ")
+        ))
+    } else {
+        Error::input(format!(
+            "shard: `{}/{}`: the sweep has fewer work items than that",
+            shard.index, shard.of
+        ))
+    }
+}

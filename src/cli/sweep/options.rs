@@ -1,0 +1,171 @@
+//! What `cordon sweep` is told.
+
+use std::hash::{BuildHasher, Hasher, RandomState};
+use std::io::Write;
+use std::path::PathBuf;
+
+use cordon_spec::theorems::Form;
+
+use crate::cli::select::{OutputFormat, theorems_named};
+use crate::sweep::store::Shard;
+use crate::sweep::{Config, Starts, Weights};
+use crate::{Error, Result};
+
+/// Options of `cordon sweep`.
+#[derive(clap::Args, Debug)]
+pub(super) struct Options {
+    /// Which theorems: numbers like 7.2 or 7.4ii, separated by commas [default: all]
+    #[arg(value_name = "THEOREMS")]
+    theorems: Option<String>,
+    /// Which form of the theorems
+    #[arg(long, value_enum, default_value_t = Forms::Both)]
+    form: Forms,
+    /// Numbers of drones, both ends included
+    #[arg(long, value_name = "LO..HI", default_value = "3..5")]
+    drones: String,
+    /// Sweep all weights eps = p/q of the range with q up to this
+    #[arg(long, value_name = "Q", default_value_t = 6)]
+    max_denominator: u32,
+    /// Range of the weights, both ends included
+    #[arg(long, value_name = "LO..HI", default_value = "0..1", allow_hyphen_values = true)]
+    eps_range: String,
+    /// These weights instead, separated by commas: fractions or decimals
+    #[arg(long, value_name = "LIST", conflicts_with_all = ["max_denominator", "eps_range"], allow_hyphen_values = true)]
+    eps: Option<String>,
+    /// Keep no theorem to its own range of weights: shows why the range is needed
+    #[arg(long)]
+    any_weight: bool,
+    /// Least number of grid units across the region where internal drones start
+    #[arg(long, value_name = "G", default_value_t = 8)]
+    grid: u32,
+    /// Last protocol step k
+    #[arg(long, value_name = "K", default_value_t = 20)]
+    steps: usize,
+    /// Decide for all real starts instead of trying a grid
+    #[arg(long, conflicts_with_all = ["grid", "sample"])]
+    complete: bool,
+    /// Draw this many random starts a work item instead of trying the whole grid
+    #[arg(long, value_name = "M")]
+    sample: Option<u64>,
+    /// Seed of the draws [default: a new one]
+    #[arg(long, value_name = "S", requires = "sample")]
+    seed: Option<u64>,
+    /// Threads [default: one for each core]
+    #[arg(long, value_name = "T")]
+    threads: Option<usize>,
+    /// Run part I of N: the parts have all work items, each once
+    #[arg(long, value_name = "I/N")]
+    shard: Option<String>,
+    /// Result file, one JSON line for each work item; finished items are taken over from it
+    #[arg(long, value_name = "FILE")]
+    pub(super) out: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    pub(super) format: OutputFormat,
+}
+
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+enum Forms {
+    /// As printed
+    Paper,
+    /// Under the weakest known hypothesis
+    Sharp,
+    /// Both
+    Both,
+}
+
+/// Most threads: more than any machine has, few enough to start.
+const MAX_THREADS: usize = 1024;
+
+impl Options {
+    pub(super) fn config(&self) -> Result<Config> {
+        let theorems = theorems_named(self.theorems.as_deref().unwrap_or("all"))?;
+        let forms: &[Form] = match self.form {
+            Forms::Paper => &[Form::Paper],
+            Forms::Sharp => &[Form::Sharp],
+            Forms::Both => &Form::ALL,
+        };
+        let drones = drones(&self.drones)?;
+        let starts = match (self.complete, self.sample) {
+            (true, _) => Starts::Complete,
+            (false, None) => Starts::Grid { resolution: self.grid },
+            (false, Some(samples)) => {
+                // Any number will do: the last line on stderr tells which it was.
+                let fresh = || RandomState::new().build_hasher().finish() >> 32;
+                Starts::Sample {
+                    resolution: self.grid,
+                    samples,
+                    seed: self.seed.unwrap_or_else(fresh),
+                }
+            }
+        };
+        let config = Config::new(&theorems, forms, drones, self.weights()?, self.steps, starts);
+        Ok(Config { only_weights_of_the_theorem: !self.any_weight, ..config })
+    }
+
+    fn weights(&self) -> Result<Weights> {
+        if let Some(list) = &self.eps {
+            let exact = |text: &str| crate::exact::parse("eps", text).map(|x| x.to_string());
+            return Ok(Weights::List(list.split(',').map(exact).collect::<Result<_>>()?));
+        }
+        let (from, to) = self.eps_range.split_once("..").ok_or_else(|| {
+            Error::input(format!("eps-range: `{}`: expected LO..HI, like 0..1/2", self.eps_range))
+        })?;
+        let exact = |text: &str| crate::exact::parse("eps-range", text).map(|x| x.to_string());
+        Ok(Weights::Range {
+            from: exact(from)?,
+            to: exact(to)?,
+            max_denominator: self.max_denominator,
+        })
+    }
+
+    pub(super) fn shard(&self) -> Result<Shard> {
+        self.shard.as_deref().map_or(Ok(Shard::WHOLE), Shard::parse)
+    }
+
+    /// Number of threads; 0 means one for each core.
+    pub(super) fn threads(&self) -> Result<usize> {
+        match self.threads {
+            None => Ok(0),
+            Some(t) if (1..=MAX_THREADS).contains(&t) => Ok(t),
+            Some(t) => Err(Error::input(format!("threads: `{t}`: expected 1 to {MAX_THREADS}"))),
+        }
+    }
+
+    /// Says on stderr how to draw the same starts again.
+    pub(super) fn say_how_to_repeat(&self, config: &Config) {
+        let Starts::Sample { resolution, samples, seed } = config.starts else { return };
+        let weights = match &config.weights {
+            Weights::List(list) => format!("--eps {}", list.join(",")),
+            Weights::Range { from, to, max_denominator } => {
+                format!("--eps-range {from}..{to} --max-denominator {max_denominator}")
+            }
+        };
+        let form = match config.forms.as_slice() {
+            [one] => one,
+            _ => "both",
+        };
+        let any = if config.only_weights_of_the_theorem { "" } else { " --any-weight" };
+        let shard = self.shard.as_ref().map_or_else(String::new, |s| format!(" --shard {s}"));
+        let [fewest, most] = config.drones;
+        // Nothing is left to be done where stderr is closed.
+        let _ = writeln!(
+            std::io::stderr(),
+            "reproduce: cordon sweep {} --form {form} --drones {fewest}..{most} {weights}{any} --grid {resolution} --steps {} --sample {samples} --seed {seed}{shard}",
+            config.theorems.join(","),
+            config.steps,
+        );
+    }
+}
+
+/// Reads `LO..HI` or one number.
+fn drones(text: &str) -> Result<[usize; 2]> {
+    let bad = || {
+        Error::input(format!("drones: `{text}`: expected LO..HI or a number, like 3..5, from 3 on"))
+    };
+    let number = |t: &str| t.trim().parse::<usize>().map_err(|_| bad());
+    match text.split_once("..") {
+        Some((from, to)) => Ok([number(from)?, number(to)?]),
+        None => number(text).map(|n| [n, n]),
+    }
+}

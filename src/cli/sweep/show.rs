@@ -1,0 +1,156 @@
+//! The report of a sweep, for people and for programs.
+
+use std::io::Write;
+
+use comfy_table::{CellAlignment, Table, presets};
+use serde_json::json;
+
+use crate::cli::select::OutputFormat;
+use crate::sweep::store::{Header, Shard};
+use crate::sweep::summary::{Claim, claims, outcome};
+use crate::sweep::{Config, Finding, Starts, Weights};
+use crate::{Outcome, Result};
+
+/// Prints what a sweep has found.
+pub(super) fn report(
+    header: &Header,
+    findings: &[Finding],
+    format: OutputFormat,
+    out: &mut dyn Write,
+) -> Result<Outcome> {
+    let part = header.shard != Shard::WHOLE;
+    let claims = claims(&header.config, findings, part)?;
+    match format {
+        OutputFormat::Text => text(header, findings, &claims, out)?,
+        OutputFormat::Json => {
+            let page = json!({
+                "schema": "cordon-sweep-report/1",
+                "config": header.config,
+                "shard": header.shard,
+                "claims": claims.iter().map(Claim::json).collect::<Vec<_>>(),
+                "findings": findings,
+            });
+            writeln!(out, "{page:#}")?;
+        }
+    }
+    Ok(outcome(&claims))
+}
+
+fn text(
+    header: &Header,
+    findings: &[Finding],
+    claims: &[Claim],
+    out: &mut dyn Write,
+) -> Result<()> {
+    writeln!(out, "{}", described(&header.config))?;
+    if header.shard != Shard::WHOLE {
+        let Shard { index, of } = header.shard;
+        writeln!(out, "part {index} of {of}: {} of {} work items", findings.len(), header.items)?;
+    }
+    writeln!(out)?;
+    let complete = header.config.starts == Starts::Complete;
+    let mut table = Table::new();
+    table.load_preset(presets::NOTHING);
+    let starts = if complete { "generators" } else { "starts" };
+    table.set_header([
+        "theorem",
+        "form",
+        "verdict",
+        "items",
+        "vacuous",
+        starts,
+        "cases",
+        "non-vacuous",
+        "violations",
+        "evidence",
+    ]);
+    for c in claims {
+        table.add_row([
+            c.theorem.text().number.to_owned(),
+            c.form.label().to_owned(),
+            c.verdict.text().to_owned(),
+            c.items.to_string(),
+            c.vacuous.to_string(),
+            c.counts.starts.to_string(),
+            c.counts.cases.to_string(),
+            c.counts.non_vacuous.to_string(),
+            c.counts.violations.to_string(),
+            c.evidence.map_or("none", |e| e.text()).to_owned(),
+        ]);
+    }
+    for column in table.column_iter_mut().skip(3).take(6) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+    for line in table.lines() {
+        writeln!(out, "{}", line.trim())?;
+    }
+    for c in claims {
+        about(c, out)?;
+    }
+    Ok(())
+}
+
+/// What the table has no room for: the counterexample, or why nothing was decided.
+fn about(claim: &Claim, out: &mut dyn Write) -> Result<()> {
+    let name = format!("{} ({} form)", claim.theorem.text().number, claim.form.label());
+    if let Some(c) = &claim.counterexample {
+        writeln!(out)?;
+        writeln!(
+            out,
+            "{name} is refuted in {} of {} work items; the simplest counterexample:",
+            claim.refuted, claim.items
+        )?;
+        writeln!(
+            out,
+            "  N = {}, eps = {}, start ({}): at step {}: {}",
+            c.drones,
+            c.eps,
+            c.start.join(", "),
+            c.step,
+            c.violation
+        )?;
+        writeln!(out, "  {}", c.replay())?;
+    }
+    if claim.undecided > 0 {
+        writeln!(out)?;
+        let reason = claim.reason.as_deref().unwrap_or_default();
+        writeln!(
+            out,
+            "{name} is undecided in {} of {} work items: {reason}",
+            claim.undecided, claim.items
+        )?;
+    }
+    if claim.items == 0 {
+        writeln!(out)?;
+        writeln!(out, "{name}: no weight of the sweep is in its range")?;
+    } else if claim.vacuous == claim.items {
+        writeln!(out)?;
+        writeln!(out, "{name} is vacuous: no case met its premise, nothing was learnt")?;
+    }
+    Ok(())
+}
+
+/// The configuration in a line or two.
+fn described(config: &Config) -> String {
+    let [fewest, most] = config.drones;
+    let weights = match &config.weights {
+        Weights::List(list) => format!("eps = {}", list.join(", ")),
+        Weights::Range { from, to, max_denominator } => {
+            format!("eps = p/q in [{from}, {to}] with q <= {max_denominator}")
+        }
+    };
+    let range = if config.only_weights_of_the_theorem {
+        "each theorem in its own range of eps"
+    } else {
+        "whatever the theorem's range of eps"
+    };
+    let starts = match config.starts {
+        Starts::Grid { resolution } => format!("every start on a grid of {resolution} units"),
+        Starts::Sample { resolution, samples, seed } => {
+            format!("{samples} random starts on a grid of {resolution} units, seed {seed}")
+        }
+        Starts::Complete => "all real starts".to_owned(),
+    };
+    let drones = if fewest == most { format!("{fewest}") } else { format!("{fewest}..{most}") };
+    format!("N = {drones}, {weights}, k = 0..{}\n{starts}; {range}", config.steps)
+}

@@ -1,0 +1,101 @@
+//! Progress on stderr, rate and time left; nothing where stderr is no terminal, but for one
+//! line at the end.
+
+use std::io::Write;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
+
+use crate::Result;
+use crate::sweep::run::Progress;
+use crate::sweep::{Config, Starts};
+
+/// What progress counts.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Unit {
+    DroneUpdates,
+    WorkItems,
+}
+
+impl Unit {
+    pub(super) fn of(config: &Config) -> Self {
+        if config.starts == Starts::Complete { Self::WorkItems } else { Self::DroneUpdates }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::DroneUpdates => "drone updates",
+            Self::WorkItems => "work items",
+        }
+    }
+}
+
+/// How often the bar is drawn.
+const REFRESH: Duration = Duration::from_millis(200);
+
+/// Runs `job` while a bar shows how far it is.
+pub(super) fn watched(
+    progress: &Progress,
+    total: u64,
+    unit: Unit,
+    resumed: usize,
+    job: impl FnOnce() -> Result<()>,
+) -> Result<()> {
+    if resumed > 0 {
+        // Nothing is left to be done where stderr is closed; so below.
+        let _ = writeln!(std::io::stderr(), "resumed: {resumed} work items were finished before");
+    }
+    let began = Instant::now();
+    let bar = ProgressBar::new(total);
+    let template = format!(
+        "{{wide_bar}} {{percent:>3}}% of {{human_len}} {}, {{rate}}, {{eta}} left",
+        unit.name()
+    );
+    if let Ok(style) = ProgressStyle::with_template(&template) {
+        bar.set_style(style.with_key("rate", shown_rate));
+    }
+    let (ended, waiting) = channel::<()>();
+    let result = std::thread::scope(|scope| {
+        let drawn = &bar;
+        scope.spawn(move || {
+            while waiting.recv_timeout(REFRESH) == Err(RecvTimeoutError::Timeout) {
+                drawn.set_position(progress.covered());
+            }
+        });
+        let result = job();
+        drop(ended);
+        result
+    });
+    bar.finish_and_clear();
+    if result.is_ok() {
+        let seconds = began.elapsed().as_secs_f64();
+        let (done, covered) = (progress.executed(), progress.covered());
+        let rate = per_second(done as f64 / seconds.max(1e-9));
+        let mirrored = match covered - done {
+            0 => String::new(),
+            images => format!(" (and {images} by symmetry)"),
+        };
+        let _ = writeln!(
+            std::io::stderr(),
+            "{done} {}{mirrored} in {seconds:.2} s: {rate}",
+            unit.name()
+        );
+    }
+    result
+}
+
+/// A rate for people.
+fn per_second(rate: f64) -> String {
+    if rate >= 1e6 {
+        format!("{:.0} million a second", rate / 1e6)
+    } else {
+        format!("{rate:.0} a second")
+    }
+}
+
+/// The bar's rate: of covered work.
+fn shown_rate(state: &ProgressState, to: &mut dyn std::fmt::Write) {
+    // A bar that cannot be drawn is no fault of the sweep.
+    let _ = write!(to, "{}", per_second(state.per_sec()));
+}

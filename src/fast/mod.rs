@@ -1,0 +1,33 @@
+//! Exact positions after many steps, fast.
+//!
+//! A line of drones (coverage; consensus on a path) moves by one symmetric rule, read off the
+//! spec ([`Line`]). Two engines compute the exact positions after k steps over a common
+//! denominator ([`Answer`]):
+//!
+//! * [`step`]: every step, in cost proportional to N k^2;
+//! * [`jump`]: none of the steps, in about the time of one multiplication of numbers as long
+//!   as the answer.
+//!
+//! [`verify`] checks an answer against the plain spec over random prime fields. Where fractions
+//! are too long, [`digits`] encloses the positions tightly enough for certain decimal digits.
+
+pub mod answer;
+pub mod digits;
+pub mod engine;
+pub mod growth;
+pub mod jump;
+mod kernel;
+mod limbs;
+pub mod line;
+pub mod multiply;
+pub mod ntt;
+mod power;
+pub mod rule;
+pub mod step;
+pub mod verify;
+
+pub use answer::Answer;
+pub use engine::Engine;
+pub use line::{Ends, Line};
+pub use multiply::Multiply;
+pub use rule::Rule;

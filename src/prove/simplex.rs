@@ -1,0 +1,319 @@
+//! Linear programs over the rationals, solved exactly.
+//!
+//! Two-phase primal simplex with Bland's rule, which ends on every input. Fraction-free: each
+//! row of the tableau is a vector of integers without common divisor, known up to a positive
+//! factor, which changes neither a sign nor a ratio.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, Signed, Zero};
+
+use crate::Rational;
+
+/// How a linear program ends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Solution {
+    /// A point that attains the largest value.
+    Optimal(Vec<Rational>),
+    /// No point meets the constraints.
+    Infeasible,
+    /// The objective has no upper bound.
+    Unbounded,
+}
+
+/// Maximises `objective . x` over all `x >= 0` with `equations x = constants`.
+///
+/// Each equation has one coefficient a variable; missing ones at its end count as 0. An
+/// inequality is an equation with a slack variable. Among the optimal points that of Bland's
+/// path is returned: variables named first are preferred.
+pub fn maximise(
+    objective: &[Rational],
+    equations: &[Vec<Rational>],
+    constants: &[Rational],
+) -> Solution {
+    let count = objective.len();
+    let mut tableau = Tableau::new(count, equations, constants);
+    let cost = tableau.phase_one_cost();
+    // The sum of the artificial variables is bounded below by 0.
+    let _ = tableau.descend(cost);
+    if !tableau.drop_artificial() {
+        return Solution::Infeasible;
+    }
+    let cost = tableau.reduced(objective);
+    if tableau.descend(cost) { Solution::Optimal(tableau.point()) } else { Solution::Unbounded }
+}
+
+/// A point `x >= 0` with `equations x = constants`, if there is one.
+pub fn feasible(
+    count: usize,
+    equations: &[Vec<Rational>],
+    constants: &[Rational],
+) -> Option<Vec<Rational>> {
+    match maximise(&vec![Rational::zero(); count], equations, constants) {
+        Solution::Optimal(x) => Some(x),
+        Solution::Infeasible | Solution::Unbounded => None,
+    }
+}
+
+/// One row: the coefficients, then the constant.
+type Row = Vec<BigInt>;
+
+struct Tableau {
+    /// Number of variables proper.
+    count: usize,
+    rows: Vec<Row>,
+    /// The basic variable of each row; from `count` on, an artificial one, whose column is
+    /// not stored because it never enters again.
+    basis: Vec<usize>,
+}
+
+impl Tableau {
+    fn new(count: usize, equations: &[Vec<Rational>], constants: &[Rational]) -> Self {
+        let rows: Vec<Row> = equations
+            .iter()
+            .zip(constants)
+            .map(|(equation, constant)| {
+                let coefficients =
+                    (0..count).map(|j| equation.get(j).cloned().unwrap_or_else(Rational::zero));
+                let mut row = integral(coefficients.chain([constant.clone()]).collect());
+                if row.last().is_some_and(Signed::is_negative) {
+                    row.iter_mut().for_each(|x| *x = -&*x);
+                }
+                row
+            })
+            .collect();
+        let basis = (0..rows.len()).map(|i| count + i).collect();
+        Self { count, rows, basis }
+    }
+
+    /// The cost row of "minimise the sum of the artificial variables".
+    fn phase_one_cost(&self) -> Row {
+        let mut cost = vec![BigInt::zero(); self.count + 1];
+        for row in &self.rows {
+            cost.iter_mut().zip(row).for_each(|(c, x)| *c -= x);
+        }
+        cost
+    }
+
+    /// The cost row of "minimise `-objective . x`", basic variables eliminated.
+    fn reduced(&self, objective: &[Rational]) -> Row {
+        let negated = objective.iter().map(|c| -c).chain([Rational::zero()]);
+        let mut cost = integral(negated.collect());
+        for (row, &basic) in self.rows.iter().zip(&self.basis) {
+            eliminate(&mut cost, row, basic);
+        }
+        cost
+    }
+
+    /// Pivots until no column lowers the cost; false if the cost has no lower bound.
+    fn descend(&mut self, mut cost: Row) -> bool {
+        while let Some(entering) = (0..self.count).find(|&j| cost[j].is_negative()) {
+            let Some(leaving) = self.leaving(entering) else {
+                return false;
+            };
+            self.pivot(leaving, entering);
+            eliminate(&mut cost, &self.rows[leaving], entering);
+        }
+        true
+    }
+
+    /// The row that limits the entering variable first; the smallest basic variable in a tie.
+    fn leaving(&self, entering: usize) -> Option<usize> {
+        let mut best: Option<usize> = None;
+        for (i, row) in self.rows.iter().enumerate().filter(|(_, r)| r[entering].is_positive()) {
+            let better = best.is_none_or(|b| {
+                let other = &self.rows[b];
+                let (mine, theirs) =
+                    (&row[self.count] * &other[entering], &other[self.count] * &row[entering]);
+                mine < theirs || (mine == theirs && self.basis[i] < self.basis[b])
+            });
+            if better {
+                best = Some(i);
+            }
+        }
+        best
+    }
+
+    fn pivot(&mut self, leaving: usize, entering: usize) {
+        let pivot_row = self.rows[leaving].clone();
+        for (i, row) in self.rows.iter_mut().enumerate() {
+            if i != leaving {
+                eliminate(row, &pivot_row, entering);
+            }
+        }
+        self.basis[leaving] = entering;
+    }
+
+    /// After phase one: false if an artificial variable is not zero; else makes every basic
+    /// variable a proper one and drops the rows that say nothing.
+    fn drop_artificial(&mut self) -> bool {
+        let mut i = 0;
+        while i < self.rows.len() {
+            if self.basis[i] < self.count {
+                i += 1;
+                continue;
+            }
+            if !self.rows[i][self.count].is_zero() {
+                return false;
+            }
+            match (0..self.count).find(|&j| !self.rows[i][j].is_zero()) {
+                Some(entering) => {
+                    if self.rows[i][entering].is_negative() {
+                        // The constant is 0: the row may be negated.
+                        self.rows[i].iter_mut().for_each(|x| *x = -&*x);
+                    }
+                    self.pivot(i, entering);
+                    i += 1;
+                }
+                None => {
+                    self.rows.swap_remove(i);
+                    self.basis.swap_remove(i);
+                }
+            }
+        }
+        true
+    }
+
+    fn point(&self) -> Vec<Rational> {
+        let mut x = vec![Rational::zero(); self.count];
+        for (row, &basic) in self.rows.iter().zip(&self.basis) {
+            x[basic] = Rational::new(row[self.count].clone(), row[basic].clone());
+        }
+        x
+    }
+}
+
+/// Adds the multiple of `pivot_row` to `row` that clears column `entering`, where the pivot is
+/// positive, and divides by the common divisor.
+fn eliminate(row: &mut Row, pivot_row: &Row, entering: usize) {
+    if row[entering].is_zero() {
+        return;
+    }
+    let (pivot, factor) = (pivot_row[entering].clone(), row[entering].clone());
+    for (x, y) in row.iter_mut().zip(pivot_row) {
+        if !x.is_zero() {
+            *x *= &pivot;
+        }
+        if !y.is_zero() {
+            *x -= &factor * y;
+        }
+    }
+    reduce(row);
+}
+
+fn reduce(row: &mut Row) {
+    let mut divisor = BigInt::zero();
+    for x in row.iter().filter(|x| !x.is_zero()) {
+        divisor = divisor.gcd(x);
+        if divisor.is_one() {
+            return;
+        }
+    }
+    if !divisor.is_zero() {
+        row.iter_mut().for_each(|x| *x /= &divisor);
+    }
+}
+
+/// The row times the positive number that makes it integral without common divisor.
+fn integral(row: Vec<Rational>) -> Row {
+    let common = row.iter().fold(BigInt::one(), |lcm, x| lcm.lcm(x.denom()));
+    let mut row: Row = row.iter().map(|x| x.numer() * (&common / x.denom())).collect();
+    reduce(&mut row);
+    row
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::panic)]
+
+    use super::*;
+
+    fn q(n: i64, d: i64) -> Rational {
+        Rational::new(n.into(), d.into())
+    }
+
+    fn row(v: &[i64]) -> Vec<Rational> {
+        v.iter().map(|&n| q(n, 1)).collect()
+    }
+
+    #[test]
+    fn a_textbook_program_has_its_known_optimum() {
+        // max 3x + 5y, x <= 4, 2y <= 12, 3x + 2y <= 18: 36 at (2, 6).
+        let a = [row(&[1, 0, 1, 0, 0]), row(&[0, 2, 0, 1, 0]), row(&[3, 2, 0, 0, 1])];
+        let solution = maximise(&row(&[3, 5, 0, 0, 0]), &a, &row(&[4, 12, 18]));
+        assert_eq!(solution, Solution::Optimal(row(&[2, 6, 2, 0, 0])));
+    }
+
+    #[test]
+    fn infeasible_and_unbounded_are_told_apart() {
+        assert_eq!(maximise(&row(&[1]), &[row(&[1])], &row(&[-1])), Solution::Infeasible);
+        assert_eq!(maximise(&row(&[1, 0]), &[row(&[1, -1])], &row(&[0])), Solution::Unbounded);
+        assert_eq!(maximise(&row(&[1]), &[], &[]), Solution::Unbounded);
+        assert_eq!(maximise(&row(&[-1]), &[], &[]), Solution::Optimal(row(&[0])));
+    }
+
+    #[test]
+    fn redundant_and_contradicting_equations() {
+        let twice = [row(&[1, 1]), row(&[2, 2])];
+        let Solution::Optimal(x) = maximise(&row(&[0, 1]), &twice, &row(&[3, 6])) else {
+            panic!("feasible")
+        };
+        assert_eq!(x, row(&[0, 3]));
+        assert_eq!(maximise(&row(&[0, 1]), &twice, &row(&[3, 7])), Solution::Infeasible);
+    }
+
+    #[test]
+    fn bland_does_not_cycle_on_beales_example() {
+        let a = [
+            vec![q(1, 4), q(-60, 1), q(-1, 25), q(9, 1), q(1, 1)],
+            vec![q(1, 2), q(-90, 1), q(-1, 50), q(3, 1), q(0, 1), q(1, 1)],
+            row(&[0, 0, 1, 0, 0, 0, 1]),
+        ];
+        let c = [q(3, 4), q(-150, 1), q(1, 50), q(-6, 1), q(0, 1), q(0, 1), q(0, 1)];
+        let Solution::Optimal(x) = maximise(&c, &a, &row(&[0, 0, 1])) else { panic!("bounded") };
+        let value: Rational = c.iter().zip(&x).map(|(c, x)| c * x).sum();
+        assert_eq!(value, q(1, 20));
+    }
+
+    #[test]
+    fn every_answer_meets_its_constraints() {
+        // Small programs with entries from a fixed generator; an optimum must be feasible and
+        // not below any of the grid points that are.
+        let mut state: u64 = 20_240_601;
+        let mut next = |range: i64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            i64::try_from(state >> 33).unwrap() % (2 * range + 1) - range
+        };
+        let (mut optimal, mut infeasible, mut unbounded) = (0, 0, 0);
+        for _ in 0..300 {
+            let a: Vec<Vec<i64>> = (0..2).map(|_| (0..4).map(|_| next(3)).collect()).collect();
+            let (b, c): (Vec<_>, Vec<_>) =
+                ((0..2).map(|_| next(4)).collect(), (0..4).map(|_| next(3)).collect());
+            let rows: Vec<_> = a.iter().map(|r| row(r)).collect();
+            let grid = (0..6i64.pow(4)).map(|n| [n % 6, n / 6 % 6, n / 36 % 6, n / 216]);
+            let dot = |r: &[i64], x: &[i64; 4]| r.iter().zip(x).map(|(a, x)| a * x).sum::<i64>();
+            let mut points = grid.filter(|x| (0..2).all(|i| dot(&a[i], x) == b[i]));
+            match maximise(&row(&c), &rows, &row(&b)) {
+                Solution::Optimal(x) => {
+                    optimal += 1;
+                    assert!(x.iter().all(|x| !x.is_negative()));
+                    for (r, b) in rows.iter().zip(&b) {
+                        let left: Rational = r.iter().zip(&x).map(|(a, x)| a * x).sum();
+                        assert_eq!(left, q(*b, 1));
+                    }
+                    let value: Rational = row(&c).iter().zip(&x).map(|(c, x)| c * x).sum();
+                    assert!(points.all(|p| q(dot(&c, &p), 1) <= value));
+                }
+                Solution::Infeasible => {
+                    infeasible += 1;
+                    assert_eq!(points.next(), None);
+                }
+                Solution::Unbounded => unbounded += 1,
+            }
+        }
+        assert!(
+            optimal > 20 && infeasible > 20 && unbounded > 20,
+            "{optimal} {infeasible} {unbounded}"
+        );
+    }
+}

@@ -1,0 +1,23 @@
+//! The matrix for people, for programs and for CI.
+
+mod json;
+mod junit;
+mod sarif;
+mod text;
+
+pub use json::json;
+pub use junit::junit;
+pub use sarif::sarif;
+pub use text::text;
+
+use super::Verdict;
+
+/// A verdict with its reason, in one line.
+fn described(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Holds => "holds".to_owned(),
+        Verdict::Refuted(why) => format!("refuted: {why}"),
+        Verdict::Rejected(why) => format!("rejected: {why}"),
+        Verdict::Inconclusive(why) => format!("inconclusive: {why}"),
+    }
+}

@@ -5,6 +5,7 @@
 mod common;
 
 use std::fs;
+use std::process::Command;
 
 use common::run;
 
@@ -64,4 +65,49 @@ fn what_an_fmu_says_about_a_failure_is_in_the_error() {
         assert!(err.contains("unit `plant1`: `") && err.contains("plant.fmu"), "{err}");
         assert!(err.contains("a step of `0.03` s: expected a whole multiple"), "{err}");
     }
+}
+
+#[test]
+fn a_plant_of_another_tool_flies_among_ours() {
+    let python = std::env::var("CORDON_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let ask = |code: &str| Command::new(&python).args(["-c", code]).output();
+    // The FMU expects a process that has Python in it.
+    let library = ask("import pythonfmu, sysconfig; v = sysconfig.get_config_var; \
+         print(v('LIBDIR') + '/' + v('LDLIBRARY'))");
+    let Some(library) = library.ok().filter(|o| o.status.success()) else {
+        let required = std::env::var("CORDON_REQUIRE_TOOLS").is_ok_and(|v| v == "1");
+        assert!(!required, "`{python}` cannot import pythonfmu, and tools are required");
+        eprintln!("another tool's plant: NOT RUN: `{python}` cannot import pythonfmu");
+        return;
+    };
+    let library = String::from_utf8(library.stdout).unwrap().trim().to_owned();
+    let dir = tempfile::tempdir().unwrap();
+    let built = Command::new(&python)
+        .args(["-m", "pythonfmu", "build", "-f", "tests/fmpy/glider.py", "-d"])
+        .arg(dir.path())
+        .output()
+        .unwrap();
+    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+    let text = format!("{START}[[unit]]\ndrone = 0\nunit = \"plant\"\nfmu = \"Glider.fmu\"\n");
+    fs::write(dir.path().join("s.toml"), text).unwrap();
+    let csv = dir.path().join("out.csv");
+    let flown = common::cordon()
+        .env("LD_PRELOAD", library)
+        .arg("cosim")
+        .arg(dir.path().join("s.toml"))
+        .args(["--duration", "1", "--out"])
+        .arg(&csv)
+        .output()
+        .unwrap();
+    assert!(flown.status.success(), "{}", String::from_utf8_lossy(&flown.stderr));
+    let csv = fs::read_to_string(csv).unwrap();
+    let rows: Vec<Vec<&str>> = csv.lines().map(|l| l.split(',').collect()).collect();
+    assert_eq!((rows.len(), rows[0][6]), (22, "x0"));
+    let mut x = 0.0;
+    for row in &rows[1..] {
+        assert_eq!(row[6].parse(), Ok(x), "the glider");
+        x += 0.05 * 1.0;
+    }
+    // Our drone 3 flies on as in the paper's table.
+    assert!(rows[21][9].starts_with("30.32"), "{}", rows[21][9]);
 }

@@ -48,7 +48,11 @@ pub(super) enum Session {
 /// A call's failure with what the FMU said about it.
 fn explained(call: &str, status: impl std::fmt::Display) -> String {
     let said = log::take();
-    let status = status.to_string().to_lowercase();
+    // Statuses of the standard are words like `Error`; anything else is shown as it is.
+    let status = match status.to_string() {
+        word if word.chars().all(char::is_alphabetic) => word.to_lowercase(),
+        text => text,
+    };
     match said.is_empty() {
         true => format!("{call}: {status}, without a message"),
         false => format!("{call}: {}", said.join("; ")),

@@ -41,8 +41,8 @@ pub(super) enum Order {
 
 /// An instance. The import, whose folder the binary is in, lives as long.
 pub(super) enum Session {
-    V2(Instance2, #[allow(dead_code, reason = "kept, not read")] Box<Fmi2Import>),
-    V3(Instance3, #[allow(dead_code, reason = "kept, not read")] Box<Fmi3Import>),
+    V2(Box<Instance2>, #[allow(dead_code, reason = "kept, not read")] Box<Fmi2Import>),
+    V3(Box<Instance3>, #[allow(dead_code, reason = "kept, not read")] Box<Fmi3Import>),
 }
 
 /// A call's failure with what the FMU said about it.
@@ -69,13 +69,13 @@ impl Session {
             FmiVersion::V2 => {
                 let import = Fmi2Import::new(folder, &description).map_err(failed)?;
                 let instance = import.instantiate_cs(name, false, true).map_err(failed)?;
-                Ok(Self::V2(instance, Box::new(import)))
+                Ok(Self::V2(Box::new(instance), Box::new(import)))
             }
             FmiVersion::V3 => {
                 let import = Fmi3Import::new(folder, &description).map_err(failed)?;
                 let instance =
                     import.instantiate_cs(name, false, true, false, false, &[]).map_err(failed)?;
-                Ok(Self::V3(instance, Box::new(import)))
+                Ok(Self::V3(Box::new(instance), Box::new(import)))
             }
         }
     }

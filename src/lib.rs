@@ -1,8 +1,10 @@
 //! Cordon: a verification toolkit for a drone coverage protocol with one executable spec.
 //!
 //! The protocol and its theorems are defined in [`cordon_spec`] and nowhere else. The modules
-//! here are engines that execute it; each consumes the spec and knows no other engine. The
-//! command line ([`cli`]) is a thin face over them.
+//! here are engines that execute it, and what they share. Some only show or carry another's runs
+//! and know that one: [`trace`] and [`errata`] know [`simulate`]; [`figures`], [`replay`], [`fmi`] and
+//! [`interchange`] know [`cosim`]; [`swarm`] takes its weights from [`fast`]. Like the command line
+//! ([`cli`]), [`verify`] is a face over several.
 
 pub mod certificate;
 pub mod cli;
@@ -27,6 +29,7 @@ pub mod replay;
 pub mod scalar;
 pub mod scenario;
 pub mod settle;
+pub mod simplex;
 pub mod simulate;
 pub mod stencil;
 pub mod swarm;

@@ -5,7 +5,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::affine::Affine;
 use crate::Rational;
-use crate::prove::simplex::{Solution, feasible, maximise};
+use crate::simplex::{Solution, feasible, maximise};
 
 /// What is demanded of a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

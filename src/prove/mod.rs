@@ -9,7 +9,6 @@ mod exchange;
 mod goals;
 mod primitive;
 mod search;
-pub mod simplex;
 mod symbols;
 mod window;
 

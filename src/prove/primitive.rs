@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 
 use super::claims::{Claim, Kind};
 use super::goals::{Primitive, consensus_moves, moved};
-use super::simplex::feasible;
 use super::symbols::{cell, int, named, substitute};
 use super::window::error;
 use crate::Rational;
 use crate::scalar::{Monomial, Polynomial};
+use crate::simplex::feasible;
 
 /// The closed form that a claim needs, if it needs one and there is one.
 pub fn find(claim: &Claim) -> Option<Primitive> {

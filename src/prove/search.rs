@@ -10,10 +10,10 @@ use std::collections::BTreeMap;
 use cordon_spec::Scalar;
 use num_traits::{One, Signed, Zero};
 
-use super::simplex::{Solution, maximise};
 use super::symbols::{Fact, Goal, Sign, fact, int, is_length, name, named, substitute, unit};
 use crate::Rational;
 use crate::scalar::{Monomial, Polynomial};
+use crate::simplex::{Solution, maximise};
 
 /// A sum of products by name.
 pub type Terms = Vec<(Rational, Vec<String>)>;

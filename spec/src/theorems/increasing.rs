@@ -1,5 +1,7 @@
 //! Theorem 7.7: while a drone is off its target the sum of the positions will increase.
 
+use core::cmp::Ordering;
+
 use super::fixed_point::stays;
 use super::hypothesis::at_target;
 use super::verdict::{Subject, Truth, Verdict, equal, less};
@@ -116,11 +118,19 @@ fn exact<S: Ordered, M: AsRef<[S]>>(setting: &Setting<S>, now: &[S], later: &[M]
     let Some(step) = first_increase else {
         return Verdict::Vacuous;
     };
-    let c = sum(now);
-    let Some((at, before)) = later.get(..step).and_then(<[M]>::split_last) else {
+    if step > later.len() {
         return Verdict::Undecided;
-    };
-    let constant = Truth::all(before.iter().map(|x| equal(&c, &sum(x.as_ref()))));
-    let increases = less(&c, &sum(at.as_ref()));
-    Verdict::one(constant.and(increases), step, Subject::Sum)
+    }
+    let c = sum(now);
+    // Over all of the run, and no slice of it: its length depends on positions, and a loop's
+    // must not.
+    let as_predicted = Truth::all(later.iter().enumerate().map(|(h, x)| {
+        let after = sum(x.as_ref());
+        match (h + 1).cmp(&step) {
+            Ordering::Less => equal(&c, &after),
+            Ordering::Equal => less(&c, &after),
+            Ordering::Greater => Truth::True,
+        }
+    }));
+    Verdict::one(as_predicted, step, Subject::Sum)
 }

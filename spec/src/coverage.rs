@@ -34,6 +34,9 @@ pub fn getx<S, M: DroneMap<S>>(s: &State<M>, i: usize) -> &S {
 ///
 /// This is the `LET xp, x, xf` block of Listing 4: the end drones have one neighbour only
 /// and the segment's end stands in for the other.
+#[cfg_attr(feature = "contracts", requires(i@ < count@))]
+#[cfg_attr(feature = "contracts", ensures(i@ == 0 ==> result == p.min))]
+#[cfg_attr(feature = "contracts", ensures(i@ > 0 && i@ == count@ - 1 ==> result == p.max))]
 pub(crate) fn update<'s, S: Scalar + 's>(
     p: &'s Params<S>,
     count: usize,
@@ -55,6 +58,7 @@ pub fn exec_coverage<S: Scalar, M: DroneMap<S>>(p: &Params<S>, s: &State<M>) -> 
 }
 
 /// The `LAMBDA (i: drone_id)` of Listing 4: the next position of every drone.
+#[cfg_attr(feature = "contracts", ensures(result.as_ref()@.len() == drones.as_ref()@.len()))]
 fn next_placement<S: Scalar, M: DroneMap<S>>(p: &Params<S>, drones: &M) -> M {
     let x = drones.as_ref();
     drones.lambda(|i| update(p, x.len(), i, |j| &x[j]))

@@ -1,5 +1,9 @@
 //! Maps from drone identifiers to values: the paper's `dmap` (Listing 3).
 
+#[cfg(feature = "contracts")]
+#[allow(unused_imports)] // the erased macros swallow each other's attributes
+use creusot_contracts::prelude::{ensures, requires};
+
 /// A map from drone identifiers `0 .. N-1` to values.
 ///
 /// The paper builds such a map with `LAMBDA (i: drone_id): ...`; so does [`lambda`]. Arrays
@@ -9,9 +13,11 @@
 /// [`lambda`]: DroneMap::lambda
 pub trait DroneMap<T>: AsRef<[T]> + Sized {
     /// The map `i -> f(i)` over the same drone identifiers as `self`.
+    #[cfg_attr(feature = "contracts", ensures(result.as_ref()@.len() == self.as_ref()@.len()))]
     fn lambda(&self, f: impl FnMut(usize) -> T) -> Self;
 
     /// The number of drones N.
+    #[cfg_attr(feature = "contracts", ensures(result@ == self.as_ref()@.len()))]
     fn count(&self) -> usize {
         self.as_ref().len()
     }

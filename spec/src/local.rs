@@ -24,17 +24,21 @@ pub struct TickRatio {
 
 impl TickRatio {
     /// The whole number `num`.
+    #[cfg_attr(feature = "contracts", ensures(result.num == num && result.den@ == 1))]
     pub fn whole(num: u32) -> Self {
         Self { num, den: NonZeroU32::MIN }
     }
 
     /// Whether `timesteps >= num/den`, decided on integers.
+    #[cfg_attr(feature = "contracts", ensures(result == (timesteps@ * self.den@ >= self.num@)))]
     pub fn reached_by(self, timesteps: u32) -> bool {
         u64::from(timesteps) * u64::from(self.den.get()) >= u64::from(self.num)
     }
 
     /// The global counter limit that behaves the same: the quotient rounded up. (Listing 6's
     /// `>=` rounds up where Listing 4's `=` would never fire.)
+    #[cfg_attr(feature = "contracts", ensures(result@ * self.den@ >= self.num@))]
+    #[cfg_attr(feature = "contracts", ensures(result@ > 0 ==> (result@ - 1) * self.den@ < self.num@))]
     pub fn counter_limit(self) -> u32 {
         self.num.div_ceil(self.den.get())
     }
@@ -108,6 +112,8 @@ pub fn fmu_kth_step<S: Scalar>(p: &LocalParams<S>, initial: SimState<S>, k: u64)
 
 /// The local machine of drone `i` that agrees with the global state `s`: its projection.
 /// `i` is below N.
+#[cfg_attr(feature = "contracts", requires(i@ < s.drones.as_ref()@.len()))]
+#[cfg_attr(feature = "contracts", ensures(result.timesteps == s.timesteps && result.st.id == i))]
 pub fn project<S: Scalar, M: DroneMap<S>>(p: &Params<S>, s: &State<M>, i: usize) -> SimState<S> {
     let prec = if i > 0 { getx(s, i - 1) } else { &p.min };
     let foll = if i + 1 < s.drones.count() { getx(s, i + 1) } else { &p.max };
@@ -119,6 +125,8 @@ pub fn project<S: Scalar, M: DroneMap<S>>(p: &Params<S>, s: &State<M>, i: usize)
 
 /// Every machine receives its neighbours' present positions: what the co-simulation master
 /// does between two ticks.
+#[cfg_attr(feature = "contracts", ensures(result.as_ref()@.len() == machines.as_ref()@.len()))]
+#[cfg_attr(feature = "contracts", ensures(forall<i: Int> 0 <= i && i < result.as_ref()@.len() ==> result.as_ref()@[i].st.own == machines.as_ref()@[i].st.own))]
 pub fn exchange<S: Scalar, L: DroneMap<SimState<S>>>(machines: &L) -> L {
     let m = machines.as_ref();
     machines.lambda(|i| {
@@ -135,6 +143,7 @@ pub fn exchange<S: Scalar, L: DroneMap<SimState<S>>>(machines: &L) -> L {
 
 /// One tick of all local machines, then one [`exchange`]: the local counterpart of the global
 /// `tick`.
+#[cfg_attr(feature = "contracts", ensures(result.as_ref()@.len() == machines.as_ref()@.len()))]
 pub fn swarm_tick<S: Scalar, L: DroneMap<SimState<S>>>(p: &LocalParams<S>, machines: &L) -> L {
     exchange(&machines.lambda(|i| fmu_tick(p, machines.as_ref()[i].clone())))
 }

@@ -4,9 +4,14 @@
 //! `l = (max - min)/(N-1)` and the target of drone i is `T_i = min + i*l`; where a formula
 //! would divide by N-1, the quantity here is the one multiplied by N-1, and its name says so.
 
+#[cfg(feature = "contracts")]
+#[allow(unused_imports)] // the erased macros swallow each other's attributes
+use creusot_contracts::prelude::{ensures, requires};
+
 use crate::Scalar;
 
 /// The gap `g_i = X_{i+1} - X_i`; `i + 1` is below N.
+#[cfg_attr(feature = "contracts", requires(i@ + 1 < x@.len()))]
 pub fn gap<S: Scalar>(x: &[S], i: usize) -> S {
     x[i + 1].clone() - &x[i]
 }
@@ -35,6 +40,7 @@ pub fn target_at<S: Scalar>(min: &S, max: &S, last: &S, i: &S) -> S {
 
 /// `(N-1) * e_i`: N-1 times the error `e_i = T_i - X_i` of drone `i`; positive while the
 /// drone is before its target.
+#[cfg_attr(feature = "contracts", requires(i@ < x@.len()))]
 pub fn scaled_error<S: Scalar>(min: &S, max: &S, x: &[S], i: usize) -> S {
     error_at(min, max, &gaps(x), &S::from_index(i), &x[i])
 }
@@ -54,6 +60,9 @@ pub fn scaled_energy<S: Scalar>(min: &S, max: &S, x: &[S]) -> S {
 
 /// The contraction vector `w_i = i*(N-1-i)` (PROTOCOL section 2): positive on the internal
 /// drones, zero at the ends.
+#[cfg_attr(feature = "contracts", requires(i@ < count@))]
+#[cfg_attr(feature = "contracts", requires(i@ * (count@ - 1 - i@) <= usize::MAX@))]
+#[cfg_attr(feature = "contracts", ensures(result@ == i@ * (count@ - 1 - i@)))]
 pub fn contraction_weight(count: usize, i: usize) -> usize {
     i * (count - 1 - i)
 }

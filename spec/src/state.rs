@@ -1,5 +1,9 @@
 //! Parameters and state of the swarm (Listing 3 and the paper's theory `initial`).
 
+#[cfg(feature = "contracts")]
+#[allow(unused_imports)] // the erased macros swallow each other's attributes
+use creusot_contracts::prelude::{ensures, requires};
+
 /// What stays the same during a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Params<S> {
@@ -36,6 +40,8 @@ pub enum Phase {
 
 impl<M> State<M> {
     /// The initial state: `drones` in place, the counter as `phase` wants it.
+    #[cfg_attr(feature = "contracts", ensures(result.timesteps@ <= n@))]
+    #[cfg_attr(feature = "contracts", ensures(result.drones == drones))]
     pub fn initial(drones: M, n: u32, phase: Phase) -> Self {
         let timesteps = match phase {
             Phase::First => n,
@@ -47,6 +53,10 @@ impl<M> State<M> {
     /// One tick of any protocol: `protocol` moves the drones when the counter has reached `n`,
     /// otherwise only the counter moves (Listing 4, `tick`, with the protocol left open as in
     /// Listing 2).
+    #[cfg_attr(feature = "contracts", requires(self.timesteps@ <= n@))]
+    #[cfg_attr(feature = "contracts", ensures(result.timesteps@ <= n@))]
+    #[cfg_attr(feature = "contracts", ensures(self.timesteps == n ==> result.timesteps@ == 0))]
+    #[cfg_attr(feature = "contracts", ensures(self.timesteps@ < n@ ==> result.timesteps@ == self.timesteps@ + 1 && result.drones == self.drones))]
     pub fn tick_with(self, n: u32, protocol: impl FnOnce(&M) -> M) -> Self {
         if self.timesteps == n {
             Self { drones: protocol(&self.drones), timesteps: 0 }

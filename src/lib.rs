@@ -20,6 +20,7 @@ pub mod files;
 pub mod fmi;
 pub mod interchange;
 pub mod linear;
+pub mod model_check;
 pub mod own_protocol;
 pub mod projection;
 pub mod prove;

@@ -8,6 +8,7 @@ mod errata;
 mod export;
 mod figures;
 mod fmu;
+mod kani;
 mod local;
 pub mod own_protocol;
 mod prove;
@@ -79,6 +80,8 @@ pub enum Command {
     Threshold(threshold::Args),
     /// From which step on every drone is within a distance of its target: proved and true
     Settle(settle::Args),
+    /// Have the model checker Kani check the harnesses of kani/, and read what came of each
+    Kani(kani::Args),
     /// Show what is known of each theorem: run now, verified by record, or not run
     Verify(verify::Args),
     /// Write the protocol, its theorems or a scenario for other tools
@@ -111,6 +114,7 @@ impl Cli {
             Command::Check(args) => check::run(&args, out),
             Command::Threshold(args) => threshold::run(&args, out),
             Command::Settle(args) => settle::run(&args, out),
+            Command::Kani(args) => kani::run(&args, out),
             Command::Verify(args) => verify::run(&args, out),
             Command::Export(args) => export::run(&args, out),
             Command::Completions(args) => setup::completions(&args, out),

@@ -1,4 +1,4 @@
-//! Tiers whose work is done by a program outside: a proof assistant or a model checker.
+//! Tiers whose work is done by a program outside: a proof assistant.
 //!
 //! They take minutes, so that they run on request (`--run`) and are otherwise shown by record.
 //! What they claim stands in a table beside their sources: tab-separated, a heading, the
@@ -52,17 +52,6 @@ const LEAN: Tool = Tool {
     sources: &["spec/src", "lean-mirror"],
 };
 
-const KANI: Tool = Tool {
-    name: "kani",
-    kind: Kind::ModelChecked,
-    folder: "kani",
-    directory: ".",
-    program: "cargo",
-    arguments: &["kani"],
-    version: ["cargo", "kani", "--version"],
-    sources: &["spec/src", "kani"],
-};
-
 /// The table of what a tier claims, in its folder.
 const TABLE: &str = "theorems.tsv";
 
@@ -89,11 +78,6 @@ pub fn rocq(context: Context<'_>) -> External {
 /// The Lean mirror.
 pub fn lean(context: Context<'_>) -> External {
     External::new(LEAN, context)
-}
-
-/// The model checker's harnesses.
-pub fn kani(context: Context<'_>) -> External {
-    External::new(KANI, context)
 }
 
 impl External {

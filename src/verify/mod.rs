@@ -8,6 +8,7 @@
 pub mod certificates;
 pub mod external;
 pub mod matrix;
+pub mod model_checked;
 pub mod record;
 pub mod show;
 pub mod simulated;
@@ -138,7 +139,7 @@ pub fn tiers(context: Context<'_>) -> Vec<Box<dyn Tier>> {
         Box::new(simulated::Simulated),
         Box::new(sweeps::Grid),
         Box::new(sweeps::Complete),
-        Box::new(external::kani(context)),
+        Box::new(model_checked::ModelChecked::new(context)),
         Box::new(smt::Smt),
         Box::new(certificates::Certificates::new(context.root)),
         Box::new(external::rocq(context)),

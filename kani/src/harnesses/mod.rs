@@ -9,6 +9,7 @@ pub mod hypotheses;
 pub mod local;
 pub mod ordering;
 pub mod positions;
+pub mod predicates;
 pub mod sum;
 pub mod ticks;
 pub mod truth;
@@ -31,6 +32,7 @@ pub fn all() -> impl Iterator<Item = &'static Harness> {
         positions::HARNESSES,
         arithmetic::HARNESSES,
         hypotheses::HARNESSES,
+        predicates::HARNESSES,
         truth::HARNESSES,
         crate::contracts::HARNESSES,
     ]

@@ -13,8 +13,8 @@ use cordon_spec::{Ordered, Params, Scalar, State};
 
 use crate::bodies::along_a_run;
 use crate::bounds::{
-    Bounds, FIVE_BITS, FOUR_BITS, POSITIVE_UP_TO_HALF, QUOTIENTS, THIRD, THREE_TENTHS, UP_TO_HALF,
-    Weights,
+    Bounds, FIVE_BITS, FOUR_BITS, HALF, POSITIVE_UP_TO_HALF, QUOTIENTS, THIRD, THREE_TENTHS,
+    UP_TO_HALF, Weights,
 };
 use crate::fraction::Fraction;
 use crate::harness::{covering, harnesses};
@@ -57,6 +57,7 @@ const FREE: Bounds = Bounds { positions: FIVE_BITS, weights: QUOTIENTS };
 const SINGLE: Bounds = Bounds { positions: FIVE_BITS, weights: THREE_TENTHS };
 /// The step of the first increase is the solver's to find.
 const SHORT: Bounds = Bounds { positions: Domain::new(0, 7, 6), weights: THIRD };
+const SHORT_HALF: Bounds = Bounds { positions: Domain::new(0, 7, 6), weights: HALF };
 /// Errors are squared.
 const SQUARED: Bounds = Bounds { positions: FOUR_BITS, weights: POSITIVE_UP_TO_HALF };
 const SQUARED_4: Bounds = Bounds { positions: Domain::new(0, 7, 6), weights: THIRD };
@@ -140,6 +141,9 @@ harnesses! {
     /// Off the targets the sum of five positions increases when the theorem says.
     growth_5("7.7", unwind 6): covering!("N = 5, two steps, {SHORT}")
         => |s| along_a_run::<5, 3, _>(s, GloballyIncreasing, &SHORT);
+    /// Off the targets the sum of six positions increases when the theorem says.
+    growth_6("7.7", unwind 7): covering!("N = 6, two steps, {SHORT_HALF}")
+        => |s| along_a_run::<6, 3, _>(s, GloballyIncreasing, &SHORT_HALF);
     /// The squared error of three drones falls in every step, at the rate of the theorem.
     limit_3("7.8", unwind 4): covering!("N = 3, one step, {SQUARED}")
         => |s| along_a_run::<3, 2, _>(s, Limit, &SQUARED);

@@ -33,7 +33,7 @@ pub fn next(a: i32, b: i32, c: i32) -> i32 {
 
 /// Required: positions of 5 bits.
 pub fn are_short(a: i32, b: i32, c: i32) -> bool {
-    let short = |x| 0 <= x && x <= FIVE_BITS.high;
+    let short = |x| (0..=FIVE_BITS.high).contains(&x);
     short(a) && short(b) && short(c)
 }
 

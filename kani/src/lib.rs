@@ -9,7 +9,7 @@
 //!
 //! * [`harness`]: what a harness is, [`harnesses`]: all of them.
 //! * [`bounds`]: how much they cover, with the reasons. [`source`]: where values come from.
-//! * [`fraction`]: the exact scalar that they compute with. [`residue`]: a small ring. [`line`]: a
+//! * [`fraction`]: the exact scalar that they compute with. [`residue`]: a small ring. [`mod@line`]: a
 //!   drawn swarm.
 //!
 //! How to run them, and what was run: `README.md` in this folder.

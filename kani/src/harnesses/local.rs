@@ -88,7 +88,7 @@ fn rounds_up<S: Source>(source: &mut S) -> Case {
     assert!(reached == (counter >= ratio.counter_limit()), "the limit is the quotient rounded up");
     let whole = TickRatio::whole(num);
     assert!(whole.counter_limit() == num && whole.den.get() == 1, "a whole quotient is itself");
-    Some(Witness(num % den != 0))
+    Some(Witness(!num.is_multiple_of(den)))
 }
 
 /// The comparison never overflows: any words. A whole quotient is reached when the counter is as

@@ -6,6 +6,18 @@ use crate::bounds::Bounds;
 use crate::line::{Line, same};
 use crate::source::{Case, Source, Witness};
 
+/// Draws a line that meets the theorem's hypothesis (sharp form).
+pub fn meeting<const N: usize, S: Source>(
+    source: &mut S,
+    theorem: Theorem,
+    bounds: &Bounds,
+) -> Option<Line<N>> {
+    let line = Line::<N>::draw(source, bounds)?;
+    let hypothesis = theorem.hypothesis(Form::Sharp);
+    source.assume(hypothesis.met_by(&line.setting, line.start()).is_true())?;
+    Some(line)
+}
+
 /// The induction step: from any placement that meets the theorem's hypothesis (sharp form), one
 /// protocol step leads to one whose start set contains it and of which the conclusion holds. So
 /// both hold for every k, while the numerators stay in the domain.
@@ -16,13 +28,11 @@ pub fn preserved<const N: usize, S: Source>(
     theorem: Theorem,
     bounds: &Bounds,
 ) -> Case {
-    let line = Line::<N>::draw(source, bounds)?;
-    let hypothesis = theorem.hypothesis(Form::Sharp);
-    source.assume(hypothesis.met_by(&line.setting, line.start()).is_true())?;
+    let line = meeting::<N, S>(source, theorem, bounds)?;
     let next = line.next();
     let verdict = theorem.conclusion(Form::Sharp, &line.setting, &[next]);
     assert!(verdict == Verdict::Holds, "the conclusion holds after a step");
-    let kept = hypothesis.starts.contains(&line.setting, &next);
+    let kept = theorem.hypothesis(Form::Sharp).starts.contains(&line.setting, &next);
     assert!(kept.is_true(), "the start set contains the placement after a step");
     Some(Witness(!same(line.start(), &next)))
 }
@@ -36,9 +46,7 @@ pub fn along_a_run<const N: usize, const K: usize, S: Source>(
     theorem: Theorem,
     bounds: &Bounds,
 ) -> Case {
-    let line = Line::<N>::draw(source, bounds)?;
-    let hypothesis = theorem.hypothesis(Form::Sharp);
-    source.assume(hypothesis.met_by(&line.setting, line.start()).is_true())?;
+    let line = meeting::<N, S>(source, theorem, bounds)?;
     let run = line.run::<K>();
     let span = theorem.span(Form::Sharp, N);
     let mut seen = false;

@@ -4,6 +4,7 @@ use cordon_spec::activation::exec_coverage_active;
 use cordon_spec::theorems::Theorem::{self, Ordering, UpperBound};
 use cordon_spec::theorems::{Form, Verdict};
 
+use crate::bodies::meeting;
 use crate::bounds::{Bounds, FOUR_BITS, HALF, Weights};
 use crate::harness::{covering, harnesses};
 use crate::line::{Line, same};
@@ -23,14 +24,12 @@ fn subset<const N: usize, S: Source>(source: &mut S) -> [bool; N] {
 
 /// The induction step, whichever drones move. Witness: one has moved and one has skipped its move.
 fn preserved<const N: usize, S: Source>(source: &mut S, theorem: Theorem, bounds: &Bounds) -> Case {
-    let line = Line::<N>::draw(source, bounds)?;
+    let line = meeting::<N, S>(source, theorem, bounds)?;
     let active = subset::<N, S>(source);
-    let hypothesis = theorem.hypothesis(Form::Sharp);
-    source.assume(hypothesis.met_by(&line.setting, line.start()).is_true())?;
     let next = exec_coverage_active(&line.params, &line.state, |i| active[i]).drones;
     let verdict = theorem.conclusion(Form::Sharp, &line.setting, &[next]);
     assert!(verdict == Verdict::Holds, "the conclusion holds after a step");
-    let kept = hypothesis.starts.contains(&line.setting, &next);
+    let kept = theorem.hypothesis(Form::Sharp).starts.contains(&line.setting, &next);
     assert!(kept.is_true(), "the start set contains the placement after a step");
     let one_skips = active[1..N - 1].contains(&false);
     Some(Witness(one_skips && !same(line.start(), &next)))

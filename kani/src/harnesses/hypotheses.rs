@@ -149,6 +149,6 @@ harnesses! {
     defined_4("hypotheses", unwind 5): covering!("N = 4, positions and ends {ENDS}")
         => |s| defined(s);
     /// A hypothesis is met where weight and start meet theirs.
-    met_3("hypotheses", unwind 4): covering!("N = 3, {SHORT}, both forms")
+    met_3("hypotheses", unwind 4): covering!("N = 3, positions {}, p/q, p in -1..=4, q in 1..=4, both forms", SHORT.positions)
         => |s| met(s);
 }

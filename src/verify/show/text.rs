@@ -79,7 +79,7 @@ fn behind(column: &Column, matrix: &Matrix, out: &mut dyn Write) -> Result<()> {
 fn summary(matrix: &Matrix) -> String {
     let cells = || matrix.columns.iter().flat_map(|c| c.cells.iter());
     let count = |status: &str| cells().filter(|c| c.status() == status).count();
-    let seconds: f64 = cells().filter_map(Cell::seconds).sum();
+    let seconds: f64 = cells().filter_map(Cell::seconds).fold(0.0, |sum, s| sum + s);
     format!(
         "{} run now ({seconds:.1} s), {} by record, {} stale, {} not run, {} not claimed",
         count("run now"),

@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.." || exit 2
 folder=${1:-target/mutants}
 list=kani/equivalent-mutants.tsv
 mkdir -p "$folder" || exit 2
-rm -rf "$folder/mutants.out"
+rm -rf "$folder/mutants.out" "$folder/mutants.out.old"
 # Each change is built anew: fast builds, which the short tests outweigh.
 export CARGO_PROFILE_RELEASE_OPT_LEVEL=1 CARGO_PROFILE_RELEASE_DEBUG=0
 export CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 CARGO_INCREMENTAL=1

@@ -8,12 +8,12 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::time::Instant;
 
-use cordon::Rational;
-use cordon::prove::claims::Claim;
-use cordon::prove::{Effort, Found, Scope, exactness, prove};
-use cordon::sweep::Item;
-use cordon::sweep::exhaust::{engine, sweep};
-use cordon::sweep::grid::Grid;
+use cordon_core::Rational;
+use cordon_proof::prove::claims::Claim;
+use cordon_proof::prove::{Effort, Found, Scope, exactness, prove};
+use cordon_proof::sweep::Item;
+use cordon_proof::sweep::exhaust::{engine, sweep};
+use cordon_proof::sweep::grid::Grid;
 use cordon_spec::theorems::{Form, Theorem};
 use divan::AllocProfiler;
 

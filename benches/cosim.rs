@@ -1,10 +1,10 @@
 //! Co-simulation in process: `cargo bench --bench cosim`.
 #![allow(missing_docs, clippy::unwrap_used)]
 
-use cordon::Rational;
-use cordon::cosim::swarm::Swarm;
-use cordon::cosim::{exact_run, run};
-use cordon::scenario::{Draft, Flight, Start};
+use cordon_core::Rational;
+use cordon_cosim::swarm::Swarm;
+use cordon_cosim::{exact_run, run};
+use cordon_run::scenario::{Draft, Flight, Start};
 use divan::{Bencher, black_box};
 
 fn main() {

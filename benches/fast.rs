@@ -1,11 +1,11 @@
 //! The fast engines (`cargo bench --bench fast`). `benches/peers/run.sh` compares with others.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use cordon::Rational;
-use cordon::fast::multiply::{Multiply, NumBigint};
-use cordon::fast::ntt::Ntt;
-use cordon::fast::{Answer, Line, digits, jump, step};
-use cordon::swarm::Swarm;
+use cordon_core::Rational;
+use cordon_run::fast::multiply::{Multiply, NumBigint};
+use cordon_run::fast::ntt::Ntt;
+use cordon_run::fast::{Answer, Line, digits, jump, step};
+use cordon_run::swarm::Swarm;
 use cordon_spec::Params;
 use divan::{Bencher, black_box};
 
@@ -45,7 +45,7 @@ fn jump_over_num_bigint((count, k): (i64, u64)) -> Vec<Answer> {
 #[cfg(feature = "gmp")]
 #[divan::bench(args = WORK, sample_count = 5)]
 fn jump_over_gmp((count, k): (i64, u64)) -> Vec<Answer> {
-    jump::at(&line(count), &[k], &cordon::fast::multiply::Gmp).unwrap()
+    jump::at(&line(count), &[k], &cordon_run::fast::multiply::Gmp).unwrap()
 }
 
 #[divan::bench(args = &WORK[..4], sample_count = 5)]

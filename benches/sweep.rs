@@ -4,11 +4,11 @@
 //! The aim is 100 million a second on 64-bit integers.
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use cordon::Rational;
-use cordon::sweep::exhaust::{Tally, engine, sweep};
-use cordon::sweep::grid::Grid;
-use cordon::sweep::run::{Progress, run};
-use cordon::sweep::{Config, Item, Starts, Weights};
+use cordon_core::Rational;
+use cordon_proof::sweep::exhaust::{Tally, engine, sweep};
+use cordon_proof::sweep::grid::Grid;
+use cordon_proof::sweep::run::{Progress, run};
+use cordon_proof::sweep::{Config, Item, Starts, Weights};
 use cordon_spec::theorems::{Form, Theorem};
 use divan::counter::ItemsCount;
 

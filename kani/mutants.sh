@@ -26,8 +26,7 @@ unviable=$(count "$found/unviable.txt")
 if [ "$(count "$found/missed.txt")" -gt 0 ]; then
     cargo mutants --package cordon-spec --iterate --jobs 1 --timeout 300 --output "$folder" \
         --cargo-arg=--package=cordon \
-        -- --test identities --test theorem_predicates --test exact_numbers --test ticks \
-        --test cli --test sweep_kernel --test golden --test twins
+        -- --test engines --test cli --test sweeps
 fi
 tests=$(count "$found/caught.txt" "$found/timeout.txt")
 [ -d "$folder/mutants.out.old" ] || tests=0

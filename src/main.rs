@@ -1,11 +1,13 @@
 //! The program `cordon`.
 
+mod cli;
+
 use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
 
 use clap::Parser;
-use cordon::cli::Cli;
-use cordon::{Error, Outcome};
+use cli::Cli;
+use cordon_core::{Error, Outcome};
 
 fn main() -> ExitCode {
     let cli = Cli::parse();

@@ -2,9 +2,9 @@
 //! else allocates meanwhile.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use cordon::Rational;
-use cordon::fast::ntt::Ntt;
-use cordon::fast::{Line, jump};
+use cordon_core::Rational;
+use cordon_run::fast::ntt::Ntt;
+use cordon_run::fast::{Line, jump};
 use cordon_spec::Params;
 use peak_alloc::PeakAlloc;
 

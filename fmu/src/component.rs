@@ -3,9 +3,9 @@
 use std::ffi::{CStr, CString, c_char, c_uint, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use cordon::cosim::unit::Value;
-use cordon::fmi::slave::{Fault, Severity, Slave};
-use cordon::fmi::snapshot::Snapshot;
+use cordon_cosim::fmi::slave::{Fault, Severity, Slave};
+use cordon_cosim::fmi::snapshot::Snapshot;
+use cordon_cosim::unit::Value;
 
 use crate::convert;
 

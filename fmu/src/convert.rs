@@ -2,7 +2,7 @@
 
 use std::ffi::{CStr, c_char};
 
-use cordon::fmi::slave::Fault;
+use cordon_cosim::fmi::slave::Fault;
 
 /// `count` elements at `first`; an empty array may be null.
 ///

@@ -3,9 +3,9 @@
 use std::ffi::{CStr, c_char, c_uint, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use cordon::cosim::unit::Value;
-use cordon::fmi::interface::FmiVersion;
-use cordon::fmi::slave::{Fault, Slave};
+use cordon_cosim::fmi::interface::FmiVersion;
+use cordon_cosim::fmi::slave::{Fault, Slave};
+use cordon_cosim::unit::Value;
 
 use crate::component::{self, Component, LOG_CATEGORY, Log, Status};
 use crate::convert;

@@ -3,7 +3,7 @@
 
 use std::ffi::{c_char, c_uint, c_void};
 
-use cordon::fmi::slave::Fault;
+use cordon_cosim::fmi::slave::Fault;
 
 use crate::component::Status;
 use crate::fmi3::{Instance, Log3, refuse, with};

@@ -1,7 +1,7 @@
 //! The binary inside exported FMUs: FMI 2.0 and FMI 3.0 for co-simulation, as C functions.
 //!
 //! A thin interface: every function turns its C arguments into Rust values and hands them to
-//! [`cordon::fmi::slave::Slave`], which holds a unit of the co-simulation (the same code that
+//! [`cordon_cosim::fmi::slave::Slave`], which holds a unit of the co-simulation (the same code that
 //! `cordon cosim` runs) and keeps the rules of the standard. Nothing here knows the protocol, a
 //! plant or a controller. One binary serves all kinds of unit: the identifier that the importer
 //! passes from `modelDescription.xml` says which one to make.

@@ -9,7 +9,7 @@ use cordon_check::format::MAX_BYTES;
 use serde_json::json;
 
 use super::select::OutputFormat;
-use crate::{Error, Outcome, Result};
+use cordon_core::{Error, Outcome, Result};
 
 /// Arguments of `cordon check`.
 #[derive(clap::Args, Debug)]

@@ -5,8 +5,8 @@ use std::io::Write;
 use serde_json::json;
 
 use super::select::OutputFormat;
-use crate::errata::{self, Erratum, Finding};
-use crate::{Error, Outcome, Result};
+use cordon_core::{Error, Outcome, Result};
+use cordon_paper::errata::{self, Erratum, Finding};
 
 /// Arguments of `cordon errata`.
 #[derive(clap::Args, Debug)]

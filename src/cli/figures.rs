@@ -1,10 +1,12 @@
 //! `cordon figures`.
 
 use std::io::Write;
+
+use super::choice::{Choice, choice};
 use std::path::PathBuf;
 
-use crate::figures::{FIGURES, Format};
-use crate::{Error, Outcome, Result};
+use cordon_core::{Error, Outcome, Result};
+use cordon_paper::figures::{FIGURES, Format};
 
 /// Arguments of `cordon figures`.
 #[derive(clap::Args, Debug)]
@@ -16,7 +18,7 @@ pub struct Args {
     #[arg(long, value_name = "DIR", default_value = "figures")]
     out: PathBuf,
     /// Form of the figures
-    #[arg(long, value_enum, default_value_t = Format::Svg)]
+    #[arg(long, value_parser = choice::<Format>(), default_value = "svg")]
     format: Format,
 }
 
@@ -38,4 +40,11 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         writeln!(out, "{}", path.display())?;
     }
     Ok(Outcome::Holds)
+}
+
+impl Choice for Format {
+    const ALL: &'static [(&'static str, Self, &'static str)] = &[
+        ("svg", Self::Svg, "Scalable Vector Graphics"),
+        ("png", Self::Png, "Portable Network Graphics"),
+    ];
 }

@@ -3,9 +3,9 @@
 use std::io::Write;
 use std::path::PathBuf;
 
-use crate::fmi::interface::{FmiVersion, Model, Positions};
-use crate::fmi::{binary, package};
-use crate::{Outcome, Result, files};
+use cordon_core::{Outcome, Result, files};
+use cordon_cosim::fmi::interface::{FmiVersion, Model, Positions};
+use cordon_cosim::fmi::{binary, package};
 
 /// Arguments of `cordon fmu`.
 #[derive(clap::Args, Debug)]

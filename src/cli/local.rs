@@ -10,9 +10,9 @@ use serde_json::json;
 
 use super::scenario_args::ScenarioArgs;
 use super::select::OutputFormat;
-use crate::exact;
-use crate::projection::{self, Pair, Setup};
-use crate::{Error, Outcome, Result};
+use cordon_core::exact;
+use cordon_core::{Error, Outcome, Result};
+use cordon_run::projection::{self, Pair, Setup};
 
 /// Arguments of `cordon local`.
 #[derive(clap::Args, Debug)]

@@ -3,14 +3,15 @@
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
 mod check;
+mod choice;
 mod cosim;
 mod errata;
 mod export;
 mod figures;
 mod fmu;
-mod kani;
 mod local;
-pub mod own_protocol;
+mod moved;
+mod own_protocol;
 mod prove;
 pub mod ranges;
 mod refute;
@@ -25,14 +26,12 @@ mod table;
 mod theorems;
 mod threshold;
 mod trace;
-mod trace_at;
-mod verify;
 
 use std::io::Write;
 
 use clap::{Parser, Subcommand};
 
-use crate::{Outcome, Result};
+use cordon_core::{Outcome, Result};
 
 /// Verification toolkit for a drone coverage protocol: one executable spec, simulated, swept
 /// and proved.
@@ -80,10 +79,12 @@ pub enum Command {
     Threshold(threshold::Args),
     /// From which step on every drone is within a distance of its target: proved and true
     Settle(settle::Args),
-    /// Have the model checker Kani check the harnesses of kani/, and read what came of each
-    Kani(kani::Args),
-    /// Show what is known of each theorem: run now, verified by record, or not run
-    Verify(verify::Args),
+    /// Moved to `cargo xtask kani`
+    #[command(hide = true)]
+    Kani(moved::Args),
+    /// Moved to `cargo xtask verify`
+    #[command(hide = true)]
+    Verify(moved::Args),
     /// Write the protocol, its theorems or a scenario for other tools
     Export(Box<export::Args>),
     /// Print a completion script for a shell
@@ -114,8 +115,8 @@ impl Cli {
             Command::Check(args) => check::run(&args, out),
             Command::Threshold(args) => threshold::run(&args, out),
             Command::Settle(args) => settle::run(&args, out),
-            Command::Kani(args) => kani::run(&args, out),
-            Command::Verify(args) => verify::run(&args, out),
+            Command::Kani(_) => Err(moved::to("kani")),
+            Command::Verify(_) => Err(moved::to("verify")),
             Command::Export(args) => export::run(&args, out),
             Command::Completions(args) => setup::completions(&args, out),
             Command::Man => setup::man(out),

@@ -7,13 +7,13 @@ use serde_json::{Value, json};
 
 use super::select::OutputFormat;
 use super::table::{self, abridged};
-use crate::certificate::{self, REJECTED};
-use crate::counterexample::list;
-use crate::exact::fraction;
-use crate::own_protocol::prove::{Proof, is_vacuous, prove as find_proof};
-use crate::own_protocol::refute::{Run, check, refute as find_run, weights};
-use crate::own_protocol::{OwnProtocol, read};
-use crate::{Error, Outcome, Rational, Result};
+use cordon_core::exact::fraction;
+use cordon_core::{Error, Outcome, Rational, Result};
+use cordon_proof::certificate::{self, REJECTED};
+use cordon_proof::counterexample::list;
+use cordon_proof::own_protocol::prove::{Proof, is_vacuous, prove as find_proof};
+use cordon_proof::own_protocol::refute::{Run, check, refute as find_run, weights};
+use cordon_proof::own_protocol::{OwnProtocol, read};
 
 /// Where to search for a counterexample.
 #[derive(Clone, Debug)]

@@ -9,9 +9,9 @@ use serde_json::{Value, json};
 
 use super::own_protocol;
 use super::select::OutputFormat;
-use crate::prove::claims::Claim;
-use crate::prove::{Effort, Found, Scope, evident, exactness, prove};
-use crate::{Error, Outcome, Rational, Result, exact, files};
+use cordon_core::{Error, Outcome, Rational, Result, exact, files};
+use cordon_proof::prove::claims::Claim;
+use cordon_proof::prove::{Effort, Found, Scope, evident, exactness, prove};
 
 /// Arguments of `cordon prove`.
 #[derive(clap::Args, Debug)]

@@ -1,7 +1,7 @@
 //! Ranges as arguments: `5`, `3..7`, `0..1/2`.
 
-use crate::exact::{self, Rational};
-use crate::{Error, Result};
+use cordon_core::exact::{self, Rational};
+use cordon_core::{Error, Result};
 
 /// Fewest drones of a swarm.
 const FEWEST: usize = 3;

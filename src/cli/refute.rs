@@ -8,15 +8,16 @@ use num_traits::{One, Zero};
 use serde_json::{Value, json};
 
 use super::scenario_args::positions;
-use super::select::{FormArg, OutputFormat, theorems_named};
+use super::select::{FormArg, OutputFormat};
 use super::table::{self, abridged};
 use super::{own_protocol, ranges};
-use crate::certificate::{self, Departure, REJECTED};
-use crate::counterexample::Counterexample;
-use crate::exact::fraction;
-use crate::linear::simplest::fractions_within;
-use crate::refute::{Answer, Coverage, Extent, Query, Weights, activation, delay, search};
-use crate::{Error, Outcome, Rational, Result};
+use cordon_core::exact::fraction;
+use cordon_core::linear::simplest::fractions_within;
+use cordon_core::theorems;
+use cordon_core::{Error, Outcome, Rational, Result};
+use cordon_proof::certificate::{self, Departure, REJECTED};
+use cordon_proof::counterexample::Counterexample;
+use cordon_proof::refute::{Answer, Coverage, Extent, Query, Weights, activation, delay, search};
 
 /// Arguments of `cordon refute`.
 #[derive(clap::Args, Debug)]
@@ -154,7 +155,7 @@ impl Args {
     }
 
     fn queries(&self) -> Result<Vec<Query>> {
-        let theorems = theorems_named(self.theorem.as_deref().unwrap_or("all"))?;
+        let theorems = theorems::named(self.theorem.as_deref().unwrap_or("all"))?;
         let drones = ranges::drones(&self.drones, MOST_DRONES)?;
         let weights = self.weights()?;
         let form = Form::from(self.form);

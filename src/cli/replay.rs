@@ -5,8 +5,9 @@ use std::path::PathBuf;
 
 use super::cosim::FlightArgs;
 use super::scenario_args::ScenarioArgs;
-use crate::cosim::{run as engine, store};
-use crate::{Outcome, Result, files, replay};
+use cordon_core::{Outcome, Result, files};
+use cordon_cosim::replay;
+use cordon_cosim::{run as engine, store};
 
 /// Arguments of `cordon replay`.
 #[derive(clap::Args, Debug)]

@@ -4,10 +4,10 @@ use std::path::PathBuf;
 
 use cordon_spec::Phase;
 
-use crate::exact::{self, Rational};
-use crate::interchange::into_cps;
-use crate::scenario::{self, Draft, Flight, Scenario, Start};
-use crate::{Error, Result};
+use cordon_core::exact::{self, Rational};
+use cordon_core::{Error, Result};
+use cordon_cosim::interchange::into_cps;
+use cordon_run::scenario::{self, Draft, Flight, Scenario, Start};
 
 /// A scenario file, flags, or a file with flags in place of some of its fields.
 #[derive(clap::Args, Clone, Debug, Default)]

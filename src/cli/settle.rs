@@ -7,12 +7,12 @@ use serde_json::{Value, json};
 
 use super::scenario_args::positions;
 use super::select::OutputFormat;
-use crate::certificate::{self, REJECTED};
-use crate::exact::{self, decimal_string, fraction};
-use crate::linear::perron::Perron;
-use crate::settle::{Contraction, Observed, Proved, Settling, Starts, settling};
-use crate::threshold::convergence::rounded_up_below_one;
-use crate::{Error, Outcome, Rational, Result};
+use cordon_core::exact::{self, decimal_string, fraction};
+use cordon_core::linear::perron::Perron;
+use cordon_core::{Error, Outcome, Rational, Result};
+use cordon_proof::certificate::{self, REJECTED};
+use cordon_proof::settle::{Contraction, Observed, Proved, Settling, Starts, settling};
+use cordon_proof::threshold::convergence::rounded_up_below_one;
 
 /// Arguments of `cordon settle`.
 #[derive(clap::Args, Debug)]

@@ -6,7 +6,7 @@ use clap::CommandFactory;
 use clap_complete::Shell;
 
 use super::Cli;
-use crate::{Outcome, Result};
+use cordon_core::{Outcome, Result};
 
 /// Arguments of `cordon completions`.
 #[derive(clap::Args, Debug)]

@@ -5,8 +5,8 @@ use std::io::Write;
 use serde_json::json;
 
 use super::select::OutputFormat;
-use crate::swarm::Swarm;
-use crate::{Error, Outcome, Rational, Result, exact};
+use cordon_core::{Error, Outcome, Rational, Result, exact};
+use cordon_run::swarm::Swarm;
 
 /// Arguments of `cordon swarm`.
 #[derive(clap::Args, Debug)]

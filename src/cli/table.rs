@@ -2,8 +2,8 @@
 
 use std::io::Write;
 
-use crate::exact::fraction;
-use crate::{Rational, Result};
+use cordon_core::exact::fraction;
+use cordon_core::{Rational, Result};
 
 /// Widest table, in characters: beyond that only first and last columns would be readable.
 const WIDEST: usize = 160;

@@ -5,8 +5,9 @@ use std::io::Write;
 use cordon_spec::theorems::{Form, Theorem};
 use serde_json::json;
 
-use super::select::{OutputFormat, theorems_named};
-use crate::{Outcome, Result};
+use super::select::OutputFormat;
+use cordon_core::theorems;
+use cordon_core::{Outcome, Result};
 
 /// Arguments of `cordon theorems`.
 #[derive(clap::Args, Debug)]
@@ -21,7 +22,7 @@ pub struct Args {
 
 /// Lists the theorems.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    let theorems = theorems_named(args.numbers.as_deref().unwrap_or("all"))?;
+    let theorems = theorems::named(args.numbers.as_deref().unwrap_or("all"))?;
     match args.format {
         OutputFormat::Text => theorems.iter().try_for_each(|&t| text(t, out))?,
         OutputFormat::Json => {

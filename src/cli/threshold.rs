@@ -7,12 +7,12 @@ use num_traits::One;
 use serde_json::{Value, json};
 
 use super::select::OutputFormat;
-use crate::certificate::{self, REJECTED};
-use crate::exact::{decimal_string, fraction};
-use crate::threshold::convergence::{self, Bracket};
-use crate::threshold::safety::{self, Cone, Critical};
-use crate::threshold::{check_size, invariance};
-use crate::{Outcome, Rational, Result};
+use cordon_core::exact::{decimal_string, fraction};
+use cordon_core::{Outcome, Rational, Result};
+use cordon_proof::certificate::{self, REJECTED};
+use cordon_proof::threshold::convergence::{self, Bracket};
+use cordon_proof::threshold::safety::{self, Cone, Critical};
+use cordon_proof::threshold::{check_size, invariance};
 
 /// Arguments of `cordon threshold`.
 #[derive(clap::Args, Debug)]

@@ -1,12 +1,14 @@
 //! What several test files share.
 #![allow(dead_code, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+pub mod tools;
+
 use std::cell::Cell;
 use std::fmt::Debug;
 use std::sync::Once;
 
 use assert_cmd::Command;
-use cordon::Rational;
+use cordon_core::Rational;
 use cordon_spec::coverage::exec_coverage;
 use cordon_spec::{Params, Scalar, State};
 use proptest::prelude::*;
@@ -14,7 +16,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRu
 
 /// The exact rational that the text says.
 pub fn q(text: &str) -> Rational {
-    cordon::exact::parse("test", text).unwrap()
+    cordon_core::exact::parse("test", text).unwrap()
 }
 
 /// Exact rationals from a list like `0, 1/2, 3`.

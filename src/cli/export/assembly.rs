@@ -6,10 +6,10 @@ use std::path::PathBuf;
 use crate::cli::cosim::FlightArgs;
 use crate::cli::fmu::{BinaryArg, VersionArg};
 use crate::cli::scenario_args::ScenarioArgs;
-use crate::fmi::interface::FmiVersion;
-use crate::fmi::{binary, package};
-use crate::interchange::{Assembly, into_cps, ssp};
-use crate::{Error, Outcome, Result, files};
+use cordon_core::{Error, Outcome, Result, files};
+use cordon_cosim::fmi::interface::FmiVersion;
+use cordon_cosim::fmi::{binary, package};
+use cordon_cosim::interchange::{Assembly, into_cps, ssp};
 
 /// Arguments of both.
 #[derive(clap::Args, Debug)]

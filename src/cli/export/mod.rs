@@ -3,13 +3,12 @@
 mod assembly;
 mod pvs;
 mod smt2;
-mod vectors;
 
 use std::io::Write;
 
 use clap::Subcommand;
 
-use crate::{Outcome, Result};
+use cordon_core::{Outcome, Result};
 
 /// Arguments of `cordon export`.
 #[derive(clap::Args, Debug)]
@@ -26,8 +25,6 @@ pub enum Target {
     Smt2(smt2::Args),
     /// Protocol, theorems and a scenario as PVS theories
     Pvs(pvs::Args),
-    /// Test vectors for the mechanised mirrors, computed by the spec
-    Vectors(vectors::Args),
     /// The co-simulation as an INTO-CPS multi-model (for Maestro), the FMUs beside it
     IntoCps(Box<assembly::ExportArgs>),
     /// The co-simulation as an SSP archive (for FMPy or OMSimulator), the FMUs in it
@@ -39,7 +36,6 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     match &args.target {
         Target::Smt2(args) => smt2::run(args, out),
         Target::Pvs(args) => pvs::run(args, out),
-        Target::Vectors(args) => vectors::run(args, out),
         Target::IntoCps(args) => assembly::into_cps(args, out),
         Target::Ssp(args) => assembly::ssp(args, out),
     }

@@ -3,9 +3,9 @@
 use std::io::Write;
 use std::path::PathBuf;
 
-use crate::export::pvs::{Instance, files};
-use crate::scenario::{self, Scenario};
-use crate::{Error, Outcome, Result};
+use cordon_core::{Error, Outcome, Result};
+use cordon_proof::export::pvs::{Instance, files};
+use cordon_run::scenario::{self, Scenario};
 
 /// Arguments of `cordon export pvs`.
 #[derive(clap::Args, Debug)]
@@ -39,7 +39,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
             for file in &files {
                 let path = folder.join(file.name);
-                crate::files::write_atomically(&path, file.text.as_bytes())?;
+                cordon_core::files::write_atomically(&path, file.text.as_bytes())?;
                 writeln!(out, "{}", path.display())?;
             }
         }

@@ -7,12 +7,12 @@ use cordon_spec::theorems::{Form, Subject};
 
 use super::super::select::FormArg;
 
-use crate::export::claim::Claim;
-use crate::export::smt_model::{Answer, Model, Replay, read_answer, replay};
-use crate::export::smt2::{
+use cordon_core::{Error, Outcome, Result, exact, files};
+use cordon_proof::export::claim::Claim;
+use cordon_proof::export::smt_model::{Answer, Model, Replay, read_answer, replay};
+use cordon_proof::export::smt2::{
     Interval, MAX_DRONES, MIN_DRONES, Obligation, Query, Weights, has_beyond, obligations,
 };
-use crate::{Error, Outcome, Result, exact, files};
 
 /// Arguments of `cordon export smt2`.
 #[derive(clap::Args, Debug)]

@@ -8,10 +8,10 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use super::select::OutputFormat;
-use crate::sweep::run::{Progress, run as run_items, work};
-use crate::sweep::store::{Header, Shard, Store, line_of};
-use crate::sweep::{Config, Finding, merge};
-use crate::{Error, Outcome, Result, files};
+use cordon_core::{Error, Outcome, Result, files};
+use cordon_proof::sweep::run::{Progress, run as run_items, work};
+use cordon_proof::sweep::store::{Header, Shard, Store, line_of};
+use cordon_proof::sweep::{Config, Finding, merge};
 
 /// Arguments of `cordon sweep`.
 #[derive(clap::Args, Debug)]

@@ -6,10 +6,11 @@ use std::path::PathBuf;
 
 use cordon_spec::theorems::Form;
 
-use crate::cli::select::{OutputFormat, theorems_named};
-use crate::sweep::store::Shard;
-use crate::sweep::{Config, Starts, Weights};
-use crate::{Error, Result};
+use crate::cli::select::OutputFormat;
+use cordon_core::theorems;
+use cordon_core::{Error, Result};
+use cordon_proof::sweep::store::Shard;
+use cordon_proof::sweep::{Config, Starts, Weights};
 
 /// Options of `cordon sweep`.
 #[derive(clap::Args, Debug)]
@@ -79,7 +80,7 @@ const MAX_THREADS: usize = 1024;
 
 impl Options {
     pub(super) fn config(&self) -> Result<Config> {
-        let theorems = theorems_named(self.theorems.as_deref().unwrap_or("all"))?;
+        let theorems = theorems::named(self.theorems.as_deref().unwrap_or("all"))?;
         let forms: &[Form] = match self.form {
             Forms::Paper => &[Form::Paper],
             Forms::Sharp => &[Form::Sharp],
@@ -105,13 +106,14 @@ impl Options {
 
     fn weights(&self) -> Result<Weights> {
         if let Some(list) = &self.eps {
-            let exact = |text: &str| crate::exact::parse("eps", text).map(|x| x.to_string());
+            let exact = |text: &str| cordon_core::exact::parse("eps", text).map(|x| x.to_string());
             return Ok(Weights::List(list.split(',').map(exact).collect::<Result<_>>()?));
         }
         let (from, to) = self.eps_range.split_once("..").ok_or_else(|| {
             Error::input(format!("eps-range: `{}`: expected LO..HI, like 0..1/2", self.eps_range))
         })?;
-        let exact = |text: &str| crate::exact::parse("eps-range", text).map(|x| x.to_string());
+        let exact =
+            |text: &str| cordon_core::exact::parse("eps-range", text).map(|x| x.to_string());
         Ok(Weights::Range {
             from: exact(from)?,
             to: exact(to)?,

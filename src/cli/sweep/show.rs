@@ -6,10 +6,10 @@ use comfy_table::{CellAlignment, Table, presets};
 use serde_json::json;
 
 use crate::cli::select::OutputFormat;
-use crate::sweep::store::{Header, Shard};
-use crate::sweep::summary::{Claim, claims, outcome};
-use crate::sweep::{Config, Finding, Starts, Weights};
-use crate::{Outcome, Result};
+use cordon_core::{Outcome, Result};
+use cordon_proof::sweep::store::{Header, Shard};
+use cordon_proof::sweep::summary::{Claim, claims, outcome};
+use cordon_proof::sweep::{Config, Finding, Starts, Weights};
 
 /// Prints what a sweep has found.
 pub(super) fn report(

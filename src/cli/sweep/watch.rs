@@ -7,9 +7,9 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 
-use crate::Result;
-use crate::sweep::run::Progress;
-use crate::sweep::{Config, Starts};
+use cordon_core::Result;
+use cordon_proof::sweep::run::Progress;
+use cordon_proof::sweep::{Config, Starts};
 
 /// What progress counts.
 #[derive(Clone, Copy, Debug)]

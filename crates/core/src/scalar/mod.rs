@@ -1,0 +1,48 @@
+//! Scalars beside the exact rationals, on which the same spec runs.
+//!
+//! | type | what a run on it is |
+//! |---|---|
+//! | [`crate::Rational`] | exact |
+//! | [`Fraction`] | exact in machine integers, or known to have overflowed |
+//! | [`Polynomial`] | symbolic: the transition relation itself |
+//! | [`Residue`] | exact modulo a prime: a fast cross-check |
+//! | [`Interval`] | an enclosure |
+//! | [`Float`] | rounded: a physical model's neighbour, never evidence |
+
+mod float;
+mod fraction;
+mod interval;
+mod polynomial;
+mod residue;
+
+pub use float::Float;
+pub use fraction::Fraction;
+pub use interval::Interval;
+pub use polynomial::{Monomial, Polynomial};
+pub use residue::{Modulus, Residue};
+
+/// `Add`, `Sub` and `Mul` with a borrowed right-hand side, from one function each.
+#[macro_export]
+macro_rules! ring_operators {
+    ($t:ty, $add:expr, $sub:expr, $mul:expr) => {
+        impl std::ops::Add<&$t> for $t {
+            type Output = $t;
+            fn add(self, rhs: &$t) -> $t {
+                ($add)(self, rhs)
+            }
+        }
+        impl std::ops::Sub<&$t> for $t {
+            type Output = $t;
+            fn sub(self, rhs: &$t) -> $t {
+                ($sub)(self, rhs)
+            }
+        }
+        impl std::ops::Mul<&$t> for $t {
+            type Output = $t;
+            fn mul(self, rhs: &$t) -> $t {
+                ($mul)(self, rhs)
+            }
+        }
+    };
+}
+pub use ring_operators;

@@ -1,0 +1,147 @@
+//! The spec's machines behind a coordination unit.
+
+use cordon_spec::consensus::exec_consensus;
+use cordon_spec::formation::exec_formation;
+use cordon_spec::graph::Graph;
+use cordon_spec::local::{LocalParams, LocalState, SimState, TickRatio, fmu_tick};
+use cordon_spec::{Params, Phase, Scalar, State};
+
+use super::{Law, Settings};
+use crate::quotient::Quotient;
+
+/// The state machine of one drone.
+#[derive(Clone, Debug)]
+pub(super) enum Machine {
+    /// Listing 6.
+    Local(Box<LocalParams<Quotient>>, SimState<Quotient>),
+    /// Equations 6 and 8, seen from one drone: the drone itself is number 0, its neighbours
+    /// follow, linked with it alone.
+    Star(Box<Star>, State<Vec<Quotient>>),
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Star {
+    weight: Quotient,
+    counter_limit: u32,
+    /// For formation: the displacements, 0 for everyone but the drone itself.
+    displacements: Option<Vec<Quotient>>,
+}
+
+/// Drone 0 linked with everyone else.
+struct Hub {
+    count: usize,
+}
+
+impl Graph for Hub {
+    fn count(&self) -> usize {
+        self.count
+    }
+
+    fn linked(&self, i: usize, j: usize) -> bool {
+        i != j && (i == 0 || j == 0) && i.max(j) < self.count
+    }
+}
+
+impl Machine {
+    pub(super) fn new(settings: &Settings) -> Self {
+        let own = Quotient::from(&settings.start);
+        let weight = Quotient::from(&settings.weight);
+        // A period of 0 is refused before it gets here.
+        let counter_limit = settings.period.saturating_sub(1);
+        let star = |neighbours: usize, displacement: Option<Quotient>| {
+            let drones = vec![own.clone(); neighbours + 1];
+            let displacements = displacement.map(|b| {
+                let others = std::iter::repeat_n(Quotient::from_int(0), neighbours);
+                std::iter::once(b).chain(others).collect()
+            });
+            let star = Star { weight: weight.clone(), counter_limit, displacements };
+            Self::Star(Box::new(star), State::initial(drones, counter_limit, settings.phase))
+        };
+        match &settings.law {
+            Law::Coverage { id, count, min, max } => {
+                let params = LocalParams {
+                    protocol: Params {
+                        min: Quotient::from(min),
+                        max: Quotient::from(max),
+                        eps: weight,
+                        n: counter_limit,
+                    },
+                    count: *count,
+                    ratio: TickRatio::whole(counter_limit),
+                };
+                let timesteps = match settings.phase {
+                    Phase::First => counter_limit,
+                    Phase::Last => 0,
+                };
+                let st = LocalState { prec: own.clone(), own: own.clone(), foll: own, id: *id };
+                Self::Local(Box::new(params), SimState { timesteps, st })
+            }
+            Law::Consensus { neighbours } => star(neighbours.len(), None),
+            Law::Formation { neighbours, displacement } => {
+                star(neighbours.len(), Some(Quotient::from(displacement)))
+            }
+        }
+    }
+
+    /// Whether the next tick is an update, which reads the neighbours' positions.
+    pub(super) fn fires(&self) -> bool {
+        match self {
+            Self::Local(params, s) => params.ratio.reached_by(s.timesteps),
+            Self::Star(star, s) => s.timesteps == star.counter_limit,
+        }
+    }
+
+    /// One tick; the drone's new position. `heard` has the neighbours' positions in order, or
+    /// is empty where the tick is no update.
+    pub(super) fn tick(&mut self, heard: Vec<Quotient>) -> Option<Quotient> {
+        match self {
+            Self::Local(params, s) => {
+                if let [prec, foll] = heard.as_slice() {
+                    (s.st.prec, s.st.foll) = (prec.clone(), foll.clone());
+                }
+                *s = fmu_tick(params, s.clone());
+                Some(s.st.own.clone())
+            }
+            Self::Star(star, s) => {
+                for (place, x) in s.drones.iter_mut().skip(1).zip(heard) {
+                    *place = x;
+                }
+                let hub = Hub { count: s.drones.len() };
+                *s = s.clone().tick_with(star.counter_limit, |x| match &star.displacements {
+                    None => exec_consensus(&star.weight, &hub, x),
+                    Some(b) => exec_formation(&star.weight, &hub, x, b),
+                });
+                s.drones.first().cloned()
+            }
+        }
+    }
+
+    /// Puts the drone back to where it was: an update that is skipped.
+    pub(super) fn put_back(&mut self, own: Quotient) {
+        match self {
+            Self::Local(_, s) => s.st.own = own,
+            Self::Star(_, s) => {
+                if let Some(place) = s.drones.first_mut() {
+                    *place = own;
+                }
+            }
+        }
+    }
+
+    /// Ticks since the last update.
+    pub(super) fn counter(&self) -> u32 {
+        match self {
+            Self::Local(_, s) => s.timesteps,
+            Self::Star(_, s) => s.timesteps,
+        }
+    }
+
+    /// Takes up where the drone was at `own` and the counter at `counter`.
+    pub(super) fn resume(&mut self, own: Quotient, counter: u32) {
+        self.put_back(own);
+        match self {
+            Self::Local(_, s) => s.timesteps = counter,
+            Self::Star(_, s) => s.timesteps = counter,
+        }
+    }
+}

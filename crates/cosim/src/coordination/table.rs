@@ -1,0 +1,135 @@
+//! The variables of a coordination unit.
+
+use std::sync::Arc;
+
+use cordon_spec::Phase;
+
+use super::{Exchange, Law, OnLoss, Settings};
+use crate::quotient::Quotient;
+use crate::unit::{Causality, Dimension, Value, Variable};
+use cordon_core::Rational;
+use cordon_core::exact;
+
+/// What a variable of a coordination unit is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Slot {
+    /// Input: a neighbour's position, by its place (0 and 1 are `prec` and `foll`).
+    Heard(usize),
+    /// Output `x_d`: the desired position as a double.
+    Desired,
+    /// Output `own`: the desired position, exact. Where positions travel exactly.
+    Own,
+    /// Parameter `id`.
+    Id,
+    /// Parameter `count`.
+    Count,
+    /// Parameter `min`.
+    Min,
+    /// Parameter `max`.
+    Max,
+    /// Parameter `weight`.
+    Weight,
+    /// Parameter `start`.
+    Start,
+    /// Parameter `period`, in ticks.
+    Period,
+    /// Parameter `first_update`: `first` or `last`.
+    FirstUpdate,
+    /// Parameter `skip_lost`: skip an update for which a message was lost.
+    SkipLost,
+    /// Parameter `displacement`.
+    Displacement,
+}
+
+/// Start values of the inputs: what is heard before the first exchange, which is the drone's
+/// own start.
+pub(super) fn starts(settings: &Settings) -> Vec<Value> {
+    let count = match &settings.law {
+        Law::Coverage { .. } => 2,
+        Law::Consensus { neighbours } | Law::Formation { neighbours, .. } => neighbours.len(),
+    };
+    let start = match settings.exchange {
+        Exchange::Exact => Value::Exact(Quotient::from(&settings.start)),
+        Exchange::Double | Exchange::SixDigits => Value::Real(exact::to_f64(&settings.start)),
+    };
+    vec![start; count]
+}
+
+pub(super) fn phase_value(phase: Phase) -> Value {
+    Value::Text(
+        match phase {
+            Phase::First => "first",
+            Phase::Last => "last",
+        }
+        .into(),
+    )
+}
+
+/// The table: inputs, then outputs, then parameters.
+pub(super) fn table(settings: &Settings) -> (Arc<[Variable]>, Arc<[Slot]>) {
+    let mut rows: Vec<(Slot, Variable)> = Vec::new();
+    inputs(settings, &mut rows);
+    outputs(settings, &mut rows);
+    parameters(settings, &mut rows);
+    let slots = rows.iter().map(|(slot, _)| *slot).collect();
+    (rows.into_iter().map(|(_, variable)| variable).collect(), slots)
+}
+
+fn inputs(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
+    let names: Vec<String> = match &settings.law {
+        Law::Coverage { .. } => vec!["prec".to_owned(), "foll".to_owned()],
+        Law::Consensus { neighbours } | Law::Formation { neighbours, .. } => {
+            neighbours.iter().map(|j| format!("heard_{j}")).collect()
+        }
+    };
+    for (i, (name, start)) in names.into_iter().zip(starts(settings)).enumerate() {
+        let text = "desired position of a neighbour";
+        let input = Variable::new(name, Dimension::METRE, Causality::Input, start, text);
+        rows.push((Slot::Heard(i), input));
+    }
+}
+
+fn outputs(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
+    let mut output = |slot, name: &str, start, text| {
+        rows.push((slot, Variable::new(name, Dimension::METRE, Causality::Output, start, text)));
+    };
+    let rounded = Value::Real(exact::to_f64(&settings.start));
+    output(Slot::Desired, "x_d", rounded, "desired position, rounded to the nearest double");
+    if settings.exchange == Exchange::Exact {
+        let own = Value::Exact(Quotient::from(&settings.start));
+        output(Slot::Own, "own", own, "desired position, exact");
+    }
+}
+
+fn parameters(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
+    let mut parameter = |slot, name: &str, dimension, start, text| {
+        rows.push((slot, Variable::new(name, dimension, Causality::Parameter, start, text)));
+    };
+    let exact = |x: &Rational| Value::Exact(Quotient::from(x));
+    // Drones are counted up to a million.
+    let whole = |n: usize| Value::Integer(i64::try_from(n).unwrap_or(i64::MAX));
+    let (none, metre) = (Dimension::NONE, Dimension::METRE);
+    match &settings.law {
+        Law::Coverage { id, count, min, max } => {
+            parameter(Slot::Id, "id", none, whole(*id), "the drone's identifier, from 0");
+            parameter(Slot::Count, "count", none, whole(*count), "number of drones");
+            parameter(Slot::Min, "min", metre, exact(min), "left end of the segment");
+            parameter(Slot::Max, "max", metre, exact(max), "right end of the segment");
+        }
+        Law::Formation { displacement, .. } => {
+            let text = "sum of the wanted displacements from the neighbours";
+            parameter(Slot::Displacement, "displacement", metre, exact(displacement), text);
+        }
+        Law::Consensus { .. } => {}
+    }
+    let s = settings;
+    parameter(Slot::Weight, "weight", none, exact(&s.weight), "weight eps of the neighbours");
+    parameter(Slot::Start, "start", metre, exact(&s.start), "desired position at the start");
+    let period = Value::Integer(s.period.into());
+    parameter(Slot::Period, "period", none, period, "communication steps from update to update");
+    let text = "tick of the first update: `first` or `last` of the period";
+    parameter(Slot::FirstUpdate, "first_update", none, phase_value(s.phase), text);
+    let skip = Value::Boolean(s.on_loss == OnLoss::Skip);
+    let text = "whether an update is skipped where a message was lost";
+    parameter(Slot::SkipLost, "skip_lost", none, skip, text);
+}

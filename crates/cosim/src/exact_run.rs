@@ -1,0 +1,102 @@
+//! The co-simulation in exact arithmetic, and how far the doubles are off.
+
+use std::fmt;
+
+use super::coordination::Slot;
+use super::exact_units::{ExactControl, ExactPlant, control_var, plant_var};
+use super::master::Master;
+use super::record::Record;
+use super::swarm::{Body, Swarm};
+use super::unit::Value;
+use super::wiring::Port;
+use cordon_core::{Error, Result};
+
+/// The largest difference between the doubles of a run and the exact values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Difference {
+    /// Of the desired positions.
+    pub desired: Largest,
+    /// Of the actual positions.
+    pub actual: Largest,
+}
+
+/// A largest difference, and where it was found.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Largest {
+    /// Its size in m.
+    pub size: f64,
+    /// The drone.
+    pub drone: usize,
+    /// The grid point.
+    pub step: u64,
+}
+
+impl Largest {
+    fn note(&mut self, size: f64, drone: usize, step: u64) {
+        if size > self.size {
+            *self = Self { size, drone, step };
+        }
+    }
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let one = |l: &Largest| format!("{:.3e} m (drone {}, step {})", l.size, l.drone, l.step);
+        write!(
+            f,
+            "largest difference from the run in exact arithmetic: desired {}, actual {}",
+            one(&self.desired),
+            one(&self.actual)
+        )
+    }
+}
+
+/// The master of the swarm's co-simulation along x in exact arithmetic.
+///
+/// # Errors
+/// The swarm cannot be wired.
+pub fn master(swarm: &Swarm) -> Result<Master> {
+    let start = |i: usize| swarm.start.get(i).cloned().unwrap_or_default();
+    let wiring = swarm.wired(&Body {
+        coordination: &|i| swarm.exact_coordination(i),
+        control: &|i| {
+            let name = format!("control{i}");
+            Box::new(ExactControl::new(name, &swarm.lambda_p, &swarm.lambda_a))
+        },
+        plant: &|i| Box::new(ExactPlant::new(format!("plant{i}"), &start(i), swarm.integrator)),
+        desired: Slot::Own,
+        state: control_var::CHAIN..control_var::SNAP,
+        first_output: plant_var::X,
+        rotors: control_var::SNAP..control_var::SNAP + 1,
+        first_rotor: plant_var::SNAP,
+        held: Vec::new(),
+    })?;
+    Master::new(wiring, swarm.grid.clone(), swarm.algorithm)
+}
+
+/// Runs the swarm exactly and compares with the run that was recorded.
+///
+/// # Errors
+/// The swarm cannot be wired, or the record is another one's.
+pub fn difference(swarm: &Swarm, record: &Record) -> Result<Difference> {
+    let mut found = Difference { desired: Largest::default(), actual: Largest::default() };
+    let own = (0..swarm.count()).map(|i| swarm.exact_port(i)).collect::<Result<Vec<_>>>()?;
+    master(swarm)?.run(|master, step| {
+        let row = usize::try_from(step).unwrap_or(usize::MAX);
+        let pairs = record.desired_at(row).iter().zip(record.actual_at(row));
+        for (i, ((desired, actual), own)) in pairs.zip(&own).enumerate() {
+            let distance = |port: Port, x: f64| -> Result<f64> {
+                match master.value(port)? {
+                    Value::Exact(exact) => Ok(exact.distance_from(x)),
+                    _ => Err(Error::input("expected an exact value")),
+                }
+            };
+            let desired = distance(*own, *desired)?;
+            found.desired.note(desired, i, step);
+            let actual = distance(Port { unit: 3 * i + 2, variable: plant_var::X }, *actual)?;
+            found.actual.note(actual, i, step);
+        }
+        Ok(())
+    })?;
+    Ok(found)
+}

@@ -1,0 +1,77 @@
+//! Where the binary inside exported FMUs comes from: the crate `cordon-fmu`, compiled.
+
+use std::env;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use cordon_core::{Error, Result};
+
+/// The compiled crate's file name.
+fn file_name() -> String {
+    format!("{}cordon_fmu{}", env::consts::DLL_PREFIX, env::consts::DLL_SUFFIX)
+}
+
+/// How to make the binary, for messages.
+const BUILD: &str = "cargo build --release -p cordon-fmu";
+
+/// The bytes of the binary: the file that the user named, or the one beside this program.
+///
+/// Where cargo runs this program (`cargo run -- fmu export ..`), cargo builds that one first,
+/// so that it is there and up to date.
+///
+/// # Errors
+/// There is none, or it cannot be read; the message says how to build it.
+pub fn load(named: Option<&Path>) -> Result<Vec<u8>> {
+    if let Some(path) = named {
+        return std::fs::read(path).map_err(|e| Error::file("read", path, e));
+    }
+    let here = env::current_exe().map_err(|e| Error::file("find", Path::new("cordon"), e))?;
+    let Some(folder) = here.parent() else {
+        return Err(missing(&here));
+    };
+    build_under_cargo(folder)?;
+    let path = folder.join(file_name());
+    match std::fs::read(&path) {
+        Ok(bytes) => Ok(bytes),
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => Err(missing(&path)),
+        Err(e) => Err(Error::file("read", &path, e)),
+    }
+}
+
+fn missing(path: &Path) -> Error {
+    Error::input(format!(
+        "the binary for FMUs is missing: expected `{}`: build it with `{BUILD}`, \
+         or name it with `--binary`",
+        path.display()
+    ))
+}
+
+/// Lets cargo build the binary, where cargo is what runs this program: it says so in two
+/// variables of the environment.
+fn build_under_cargo(folder: &Path) -> Result<()> {
+    let (Some(cargo), Some(root)) = (env::var_os("CARGO"), env::var_os("CARGO_MANIFEST_DIR"))
+    else {
+        return Ok(());
+    };
+    let manifest = PathBuf::from(root).join("Cargo.toml");
+    let (Some(profile), Some(target)) = (folder.file_name(), folder.parent()) else {
+        return Ok(());
+    };
+    // The folder of the profile `dev` has another name.
+    let profile = if profile == "debug" { "dev".as_ref() } else { profile };
+    let ended = Command::new(cargo)
+        .args(["build", "--quiet", "--package", "cordon-fmu", "--profile"])
+        .arg(profile)
+        .arg("--manifest-path")
+        .arg(&manifest)
+        .arg("--target-dir")
+        .arg(target)
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .status()
+        .map_err(|e| Error::file("run cargo for", &manifest, e))?;
+    if ended.success() {
+        return Ok(());
+    }
+    Err(Error::input(format!("the binary for FMUs cannot be built: `{BUILD}` says why")))
+}

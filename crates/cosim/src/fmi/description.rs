@@ -1,0 +1,312 @@
+//! `modelDescription.xml`, in both versions of the standard.
+
+use std::io::{Cursor, Result};
+
+use quick_xml::Writer;
+use quick_xml::events::{BytesDecl, Event};
+
+use super::interface::{FmiVersion, Model, default_tau};
+use crate::unit::{Causality, Dimension, Kind, Value, Variable};
+use cordon_core::exact;
+
+type Xml = Writer<Cursor<Vec<u8>>>;
+
+/// End of the run that tools propose, in seconds: that of the paper's figures.
+const STOP_TIME: &str = "25";
+
+/// The model description of an exported unit.
+///
+/// # Errors
+/// None: memory takes every write. The signature is that of the XML writer.
+pub fn model_description(model: Model, version: FmiVersion) -> Result<Vec<u8>> {
+    let variables = model.variables();
+    let mut xml = Writer::new_with_indent(Cursor::new(Vec::new()), b' ', 2);
+    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+    let token = model.token(version);
+    let (key, generation_tool) = match version {
+        FmiVersion::V2 => ("guid", concat!("cordon ", env!("CARGO_PKG_VERSION"))),
+        FmiVersion::V3 => ("instantiationToken", concat!("cordon ", env!("CARGO_PKG_VERSION"))),
+    };
+    xml.create_element("fmiModelDescription")
+        .with_attribute(("fmiVersion", version.name()))
+        .with_attribute(("modelName", model.identifier()))
+        .with_attribute((key, token.as_str()))
+        .with_attribute(("description", model.description()))
+        .with_attribute(("version", env!("CARGO_PKG_VERSION")))
+        .with_attribute(("license", env!("CARGO_PKG_LICENSE")))
+        .with_attribute(("generationTool", generation_tool))
+        .with_attribute(("variableNamingConvention", "structured"))
+        .write_inner_content(|xml| {
+            capabilities(xml, model, version)?;
+            unit_definitions(xml, &variables)?;
+            log_categories(xml)?;
+            let tau = exact::to_f64(&default_tau()).to_string();
+            xml.create_element("DefaultExperiment")
+                .with_attribute(("startTime", "0"))
+                .with_attribute(("stopTime", STOP_TIME))
+                .with_attribute(("stepSize", tau.as_str()))
+                .write_empty()?;
+            xml.create_element("ModelVariables").write_inner_content(|xml| {
+                for (reference, variable) in variables.iter().enumerate() {
+                    match version {
+                        FmiVersion::V2 => variable_2(xml, reference, variable)?,
+                        FmiVersion::V3 => variable_3(xml, reference, variable)?,
+                    }
+                }
+                match version {
+                    FmiVersion::V2 => Ok(()),
+                    FmiVersion::V3 => time_3(xml, variables.len()),
+                }
+            })?;
+            structure(xml, model, version, &variables)
+        })?;
+    let mut bytes = xml.into_inner().into_inner();
+    bytes.push(b'\n');
+    Ok(bytes)
+}
+
+fn capabilities(xml: &mut Xml, model: Model, version: FmiVersion) -> Result<()> {
+    let element = xml
+        .create_element("CoSimulation")
+        .with_attribute(("modelIdentifier", model.identifier()))
+        .with_attribute(("canHandleVariableCommunicationStepSize", "false"))
+        .with_attribute(("canBeInstantiatedOnlyOncePerProcess", "false"));
+    let element = match version {
+        FmiVersion::V2 => element
+            .with_attribute(("canNotUseMemoryManagementFunctions", "true"))
+            .with_attribute(("canGetAndSetFMUstate", "true"))
+            .with_attribute(("canSerializeFMUstate", "true")),
+        FmiVersion::V3 => element
+            .with_attribute(("canGetAndSetFMUState", "true"))
+            .with_attribute(("canSerializeFMUState", "true")),
+    };
+    element.write_empty()?;
+    Ok(())
+}
+
+fn unit_definitions(xml: &mut Xml, variables: &[Variable]) -> Result<()> {
+    let mut symbols: Vec<&str> = variables
+        .iter()
+        .filter(|v| v.kind() == Kind::Real && v.dimension != Dimension::NONE)
+        .map(|v| v.dimension.0)
+        .collect();
+    symbols.sort_unstable();
+    symbols.dedup();
+    xml.create_element("UnitDefinitions").write_inner_content(|xml| {
+        for symbol in symbols {
+            xml.create_element("Unit").with_attribute(("name", symbol)).write_inner_content(
+                |xml| {
+                    let mut base = xml.create_element("BaseUnit");
+                    for (unit, exponent) in base_units(symbol) {
+                        base = base.with_attribute((unit.as_str(), exponent.to_string().as_str()));
+                    }
+                    base.write_empty()?;
+                    Ok(())
+                },
+            )?;
+        }
+        Ok(())
+    })?;
+    Ok(())
+}
+
+/// Exponents of the base units of a symbol like `kg.m2` or `m/s2`.
+pub fn base_units(symbol: &str) -> Vec<(String, i32)> {
+    let mut exponents: Vec<(String, i32)> = Vec::new();
+    for (place, part) in symbol.split('/').enumerate() {
+        let sign = if place == 0 { 1 } else { -1 };
+        for factor in part.split('.').filter(|f| *f != "1") {
+            let name = factor.trim_end_matches(|c: char| c.is_ascii_digit());
+            let exponent: i32 = factor.get(name.len()..).and_then(|e| e.parse().ok()).unwrap_or(1);
+            match exponents.iter_mut().find(|(n, _)| n == name) {
+                Some((_, sum)) => *sum += sign * exponent,
+                None => exponents.push((name.to_owned(), sign * exponent)),
+            }
+        }
+    }
+    exponents
+}
+
+fn log_categories(xml: &mut Xml) -> Result<()> {
+    xml.create_element("LogCategories").write_inner_content(|xml| {
+        xml.create_element("Category")
+            .with_attribute(("name", "logStatusError"))
+            .with_attribute(("description", "why a call was refused"))
+            .write_empty()?;
+        Ok(())
+    })?;
+    Ok(())
+}
+
+/// Variability: parameters are fixed, doubles continuous unless they move at some steps only.
+fn variability(variable: &Variable) -> &'static str {
+    match (variable.causality, variable.kind()) {
+        (Causality::Parameter, _) => "fixed",
+        (_, Kind::Real) => "continuous",
+        _ => "discrete",
+    }
+}
+
+/// What the importer may do to the value before the run. (Inputs have no such attribute.)
+fn initial(variable: &Variable) -> Option<&'static str> {
+    match variable.causality {
+        Causality::Parameter => Some("exact"),
+        Causality::Input => None,
+        Causality::Output | Causality::Local => Some("calculated"),
+    }
+}
+
+/// The start value, where the importer can replace it.
+fn start(variable: &Variable) -> Option<String> {
+    match variable.causality {
+        Causality::Parameter | Causality::Input => Some(match &variable.start {
+            Value::Real(x) => x.to_string(),
+            other => other.to_string(),
+        }),
+        Causality::Output | Causality::Local => None,
+    }
+}
+
+fn has_unit(variable: &Variable) -> bool {
+    variable.kind() == Kind::Real && variable.dimension != Dimension::NONE
+}
+
+fn variable_2(xml: &mut Xml, reference: usize, variable: &Variable) -> Result<()> {
+    let mut element = xml
+        .create_element("ScalarVariable")
+        .with_attribute(("name", variable.name.as_str()))
+        .with_attribute(("valueReference", reference.to_string().as_str()))
+        .with_attribute(("description", variable.description))
+        .with_attribute(("causality", variable.causality.name()))
+        .with_attribute(("variability", variability(variable)));
+    if let Some(initial) = initial(variable) {
+        element = element.with_attribute(("initial", initial));
+    }
+    element.write_inner_content(|xml| {
+        let mut value = xml.create_element(match variable.kind() {
+            Kind::Real => "Real",
+            Kind::Integer => "Integer",
+            Kind::Boolean => "Boolean",
+            Kind::Text | Kind::Exact => "String",
+        });
+        if has_unit(variable) {
+            value = value.with_attribute(("unit", variable.dimension.0));
+        }
+        if let Some(start) = start(variable) {
+            value = value.with_attribute(("start", start.as_str()));
+        }
+        value.write_empty()?;
+        Ok(())
+    })?;
+    Ok(())
+}
+
+fn variable_3(xml: &mut Xml, reference: usize, variable: &Variable) -> Result<()> {
+    let mut element = xml
+        .create_element(match variable.kind() {
+            Kind::Real => "Float64",
+            Kind::Integer => "Int64",
+            Kind::Boolean => "Boolean",
+            Kind::Text | Kind::Exact => "String",
+        })
+        .with_attribute(("name", variable.name.as_str()))
+        .with_attribute(("valueReference", reference.to_string().as_str()))
+        .with_attribute(("description", variable.description))
+        .with_attribute(("causality", variable.causality.name()))
+        .with_attribute(("variability", variability(variable)));
+    if let Some(initial) = initial(variable) {
+        element = element.with_attribute(("initial", initial));
+    }
+    if has_unit(variable) {
+        element = element.with_attribute(("unit", variable.dimension.0));
+    }
+    match (start(variable), variable.kind()) {
+        (Some(start), Kind::Text | Kind::Exact) => {
+            element.write_inner_content(|xml| {
+                xml.create_element("Start")
+                    .with_attribute(("value", start.as_str()))
+                    .write_empty()?;
+                Ok(())
+            })?;
+        }
+        (Some(start), _) => {
+            element.with_attribute(("start", start.as_str())).write_empty()?;
+        }
+        (None, _) => {
+            element.write_empty()?;
+        }
+    }
+    Ok(())
+}
+
+/// The independent variable, which FMI 3.0 wants among the variables.
+fn time_3(xml: &mut Xml, reference: usize) -> Result<()> {
+    xml.create_element("Float64")
+        .with_attribute(("name", "time"))
+        .with_attribute(("valueReference", reference.to_string().as_str()))
+        .with_attribute(("description", "time in seconds"))
+        .with_attribute(("causality", "independent"))
+        .with_attribute(("variability", "continuous"))
+        .write_empty()?;
+    Ok(())
+}
+
+/// How the model structure points at a variable: FMI 2.0 counts from 1, FMI 3.0 has value
+/// references.
+fn pointer(version: FmiVersion, place: usize) -> String {
+    match version {
+        FmiVersion::V2 => (place + 1).to_string(),
+        FmiVersion::V3 => place.to_string(),
+    }
+}
+
+fn structure(
+    xml: &mut Xml,
+    model: Model,
+    version: FmiVersion,
+    variables: &[Variable],
+) -> Result<()> {
+    let attribute = match version {
+        FmiVersion::V2 => "index",
+        FmiVersion::V3 => "valueReference",
+    };
+    let outputs: Vec<(usize, &Variable)> =
+        variables.iter().enumerate().filter(|(_, v)| v.causality == Causality::Output).collect();
+    let unknown = |xml: &mut Xml, element: &str, place: usize, on: &[usize]| -> Result<()> {
+        let on: Vec<String> = on.iter().map(|p| pointer(version, *p)).collect();
+        xml.create_element(element)
+            .with_attribute((attribute, pointer(version, place).as_str()))
+            .with_attribute(("dependencies", on.join(" ").as_str()))
+            .write_empty()?;
+        Ok(())
+    };
+    let initially = |output: &Variable| -> Vec<usize> {
+        let names = model.initial_dependencies(&output.name);
+        let among = |v: &Variable| names.contains(&v.name.as_str());
+        variables.iter().enumerate().filter(|(_, v)| among(v)).map(|(place, _)| place).collect()
+    };
+    xml.create_element("ModelStructure").write_inner_content(|xml| {
+        match version {
+            FmiVersion::V2 => {
+                xml.create_element("Outputs").write_inner_content(|xml| {
+                    outputs
+                        .iter()
+                        .try_for_each(|(p, v)| unknown(xml, "Unknown", *p, &v.feedthrough))
+                })?;
+                xml.create_element("InitialUnknowns").write_inner_content(|xml| {
+                    outputs.iter().try_for_each(|(p, v)| unknown(xml, "Unknown", *p, &initially(v)))
+                })?;
+            }
+            FmiVersion::V3 => {
+                for (place, v) in &outputs {
+                    unknown(xml, "Output", *place, &v.feedthrough)?;
+                }
+                for (place, v) in &outputs {
+                    unknown(xml, "InitialUnknown", *place, &initially(v))?;
+                }
+            }
+        }
+        Ok(())
+    })?;
+    Ok(())
+}

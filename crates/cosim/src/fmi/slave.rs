@@ -1,0 +1,457 @@
+//! A unit under the rules of the FMI standards: what the C functions call.
+//!
+//! The state machine of co-simulation (instantiated, initialisation, step, terminated), value
+//! references, types, exact time, states to go back to. FMI 2.0 and 3.0 differ in their C
+//! functions only; the rules here serve both.
+
+use num_traits::Signed;
+
+use super::interface::{FmiVersion, Model, TAU, default_tau};
+pub use super::snapshot::Mode;
+use super::snapshot::Snapshot;
+use crate::grid::Grid;
+use crate::quotient::Quotient;
+use crate::unit::{Causality, Kind, Resumable, UnitError, Value, Variable};
+use cordon_core::exact::{self, Rational};
+
+/// Why a call was refused.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// How bad it is.
+    pub severity: Severity,
+    /// In the user's words.
+    pub message: String,
+}
+
+/// How bad a fault is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Severity {
+    /// The call was refused; the instance is as it was.
+    Error,
+    /// The instance is of no more use.
+    Fatal,
+}
+
+impl Fault {
+    /// A refused call.
+    pub fn error(message: impl Into<String>) -> Self {
+        Self { severity: Severity::Error, message: message.into() }
+    }
+
+    /// The end of an instance.
+    pub fn fatal(message: impl Into<String>) -> Self {
+        Self { severity: Severity::Fatal, message: message.into() }
+    }
+}
+
+impl From<UnitError> for Fault {
+    fn from(e: UnitError) -> Self {
+        Self::error(e.to_string())
+    }
+}
+
+/// Longest run in steps: the limit of [`Grid`].
+const MAX_STEPS: u64 = 10_000_000_000;
+
+/// How far an importer's step may be from a whole number of steps of tau, in steps: importers
+/// compute step sizes as differences of times, in doubles.
+const STEP_NOISE: f64 = 1e-6;
+
+/// An instance of an exported unit.
+pub struct Slave {
+    name: String,
+    model: Model,
+    token: String,
+    variables: Vec<Variable>,
+    unit: Box<dyn Resumable>,
+    mode: Mode,
+    tau: Rational,
+    grid: Option<Grid>,
+    start_time: f64,
+    stop_time: Option<f64>,
+    /// Steps of tau so far.
+    step: u64,
+    /// Whether something was set since the unit was last initialised.
+    stale: bool,
+}
+
+impl Slave {
+    /// Makes an instance of the model that the identifier belongs to.
+    ///
+    /// # Errors
+    /// No model of this binary has the identifier.
+    pub fn instantiate(version: FmiVersion, name: &str, token: &str) -> Result<Self, Fault> {
+        let model =
+            Model::ALL.into_iter().find(|m| m.token(version) == token).ok_or_else(|| {
+                Fault::error(format!(
+                    "identifier `{token}`: no unit of this binary has it; \
+                 expected binary and model description from the same export"
+                ))
+            })?;
+        Ok(Self {
+            name: name.to_owned(),
+            model,
+            token: token.to_owned(),
+            variables: model.variables(),
+            unit: model.unit(name),
+            mode: Mode::Instantiated,
+            tau: default_tau(),
+            grid: None,
+            start_time: 0.0,
+            stop_time: None,
+            step: 0,
+            stale: true,
+        })
+    }
+
+    /// The mode it is in.
+    pub fn mode(&self) -> Mode {
+        self.mode
+    }
+
+    /// The present communication point, as the double nearest to the exact one.
+    pub fn time(&self) -> f64 {
+        match (&self.grid, self.start_time == 0.0) {
+            (Some(grid), true) => grid.time_f64(self.step),
+            (Some(grid), false) => self.start_time + grid.time_f64(self.step),
+            (None, _) => self.start_time,
+        }
+    }
+
+    /// Makes the instance refuse every further call: something inside went wrong.
+    pub fn give_up(&mut self) {
+        self.mode = Mode::Fatal;
+    }
+
+    fn expect_mode(&self, call: &str, allowed: &[Mode]) -> Result<(), Fault> {
+        if allowed.contains(&self.mode) {
+            return Ok(());
+        }
+        let state = self.mode.name();
+        let fault = format!("{call}: the instance is {state}: the call is not allowed now");
+        Err(match self.mode {
+            Mode::Fatal => Fault::fatal(fault),
+            _ => Fault::error(fault),
+        })
+    }
+
+    /// Tells the instance when the run begins and, maybe, ends.
+    ///
+    /// # Errors
+    /// Wrong mode, or no finite time.
+    pub fn set_up(&mut self, start: f64, stop: Option<f64>) -> Result<(), Fault> {
+        self.expect_mode("setting up the experiment", &[Mode::Instantiated])?;
+        if !start.is_finite() || stop.is_some_and(|s| s.is_nan() || s < start) {
+            let stop = stop.map(|s| format!(" to `{s}` s")).unwrap_or_default();
+            return Err(Fault::error(format!(
+                "a run from `{start}` s{stop}: expected times in order"
+            )));
+        }
+        (self.start_time, self.stop_time) = (start, stop);
+        Ok(())
+    }
+
+    /// Begins the initialisation.
+    ///
+    /// # Errors
+    /// Wrong mode.
+    pub fn enter_initialisation(&mut self) -> Result<(), Fault> {
+        self.expect_mode("entering the initialisation", &[Mode::Instantiated])?;
+        self.mode = Mode::Initialisation;
+        self.stale = true;
+        Ok(())
+    }
+
+    /// Ends the initialisation: the parameters have to fit now.
+    ///
+    /// # Errors
+    /// Wrong mode, or a parameter outside its range.
+    pub fn exit_initialisation(&mut self) -> Result<(), Fault> {
+        self.expect_mode("leaving the initialisation", &[Mode::Initialisation])?;
+        self.settle()?;
+        self.mode = Mode::Step;
+        Ok(())
+    }
+
+    /// Brings the unit up to date with what was set during the initialisation.
+    fn settle(&mut self) -> Result<(), Fault> {
+        if self.mode == Mode::Initialisation && self.stale {
+            let grid = grid(&self.tau)?;
+            self.unit.initialise(&grid)?;
+            self.grid = Some(grid);
+            self.stale = false;
+        }
+        Ok(())
+    }
+
+    /// Ends the run.
+    ///
+    /// # Errors
+    /// Wrong mode.
+    pub fn terminate(&mut self) -> Result<(), Fault> {
+        self.expect_mode("terminating", &[Mode::Initialisation, Mode::Step])?;
+        self.mode = Mode::Terminated;
+        Ok(())
+    }
+
+    /// Back to the state after instantiation; every parameter has its start value.
+    ///
+    /// # Errors
+    /// The instance is of no more use.
+    pub fn reset(&mut self) -> Result<(), Fault> {
+        let allowed = [Mode::Instantiated, Mode::Initialisation, Mode::Step, Mode::Terminated];
+        self.expect_mode("resetting", &allowed)?;
+        self.unit = self.model.unit(&self.name);
+        self.mode = Mode::Instantiated;
+        self.tau = default_tau();
+        self.grid = None;
+        (self.start_time, self.stop_time) = (0.0, None);
+        self.step = 0;
+        self.stale = true;
+        Ok(())
+    }
+
+    fn variable(&self, reference: u32) -> Result<(usize, &Variable), Fault> {
+        let place = usize::try_from(reference).unwrap_or(usize::MAX);
+        self.variables.get(place).map(|v| (place, v)).ok_or_else(|| {
+            let count = self.variables.len();
+            Fault::error(format!("value reference {reference}: expected less than {count}"))
+        })
+    }
+
+    /// Sets a parameter or an input. Exact numbers come as text.
+    ///
+    /// # Errors
+    /// No such variable, not now, another type, no finite number, out of range.
+    pub fn set(&mut self, reference: u32, value: &Value) -> Result<(), Fault> {
+        let (place, variable) = self.variable(reference)?;
+        let allowed: &[Mode] = match variable.causality {
+            Causality::Parameter => &[Mode::Instantiated, Mode::Initialisation],
+            _ => &[Mode::Instantiated, Mode::Initialisation, Mode::Step],
+        };
+        let named = |what: &str| Fault::error(format!("variable `{}`: {what}", variable.name));
+        self.expect_mode(&format!("setting `{}`", variable.name), allowed)?;
+        let value = match (variable.kind(), value) {
+            (Kind::Exact, Value::Text(text)) => {
+                let number = exact::parse(&variable.name, text);
+                Value::Exact(Quotient::from(&number.map_err(|e| Fault::error(e.to_string()))?))
+            }
+            (_, Value::Real(x)) if !x.is_finite() => {
+                return Err(named(&format!("`{x}`: expected a finite number")));
+            }
+            _ => value.clone(),
+        };
+        if variable.name == TAU {
+            let Value::Exact(tau) = &value else {
+                return Err(named(&format!("expected text `p/q`, found {}", value.kind())));
+            };
+            let tau = tau.to_rational();
+            if !tau.is_positive() {
+                return Err(named(&format!("`{tau}`: expected a positive number of seconds")));
+            }
+            self.tau = tau;
+        } else {
+            self.unit.set(place, &value)?;
+        }
+        self.stale = true;
+        Ok(())
+    }
+
+    fn get(&mut self, reference: u32, wanted: &[Kind]) -> Result<Value, Fault> {
+        let (place, variable) = self.variable(reference)?;
+        let kind = variable.kind();
+        if !wanted.contains(&kind) {
+            let name = &variable.name;
+            return Err(Fault::error(format!("variable `{name}`: its type is {kind}")));
+        }
+        if variable.name == TAU {
+            return Ok(Value::Exact(Quotient::from(&self.tau)));
+        }
+        if self.mode == Mode::Fatal {
+            return Err(Fault::fatal("reading: the instance is of no more use"));
+        }
+        self.settle()?;
+        Ok(self.unit.get(place)?)
+    }
+
+    /// The value of a real variable, or of the time, which follows the variables.
+    ///
+    /// # Errors
+    /// No such variable, or another type.
+    pub fn real(&mut self, reference: u32) -> Result<f64, Fault> {
+        if usize::try_from(reference) == Ok(self.variables.len()) {
+            return Ok(self.time());
+        }
+        match self.get(reference, &[Kind::Real])? {
+            Value::Real(x) => Ok(x),
+            other => Err(unexpected(&other)),
+        }
+    }
+
+    /// The value of an integer variable.
+    ///
+    /// # Errors
+    /// No such variable, or another type.
+    pub fn integer(&mut self, reference: u32) -> Result<i64, Fault> {
+        match self.get(reference, &[Kind::Integer])? {
+            Value::Integer(n) => Ok(n),
+            other => Err(unexpected(&other)),
+        }
+    }
+
+    /// The value of a Boolean variable.
+    ///
+    /// # Errors
+    /// No such variable, or another type.
+    pub fn boolean(&mut self, reference: u32) -> Result<bool, Fault> {
+        match self.get(reference, &[Kind::Boolean])? {
+            Value::Boolean(b) => Ok(b),
+            other => Err(unexpected(&other)),
+        }
+    }
+
+    /// The value of a text variable, or of an exact one as `p/q`.
+    ///
+    /// # Errors
+    /// No such variable, or another type.
+    pub fn text(&mut self, reference: u32) -> Result<String, Fault> {
+        Ok(self.get(reference, &[Kind::Text, Kind::Exact])?.to_string())
+    }
+
+    /// Advances by a step, which is `size` seconds long and begins at `point`.
+    ///
+    /// The time inside is exact. The importer's doubles only have to round to it: `point` to
+    /// the end of the last step, `size` to a whole number of steps of tau.
+    ///
+    /// # Errors
+    /// Wrong mode, another time, a step that tau does not divide, a step beyond the end of the
+    /// run, or the unit cannot compute it.
+    pub fn do_step(&mut self, point: f64, size: f64) -> Result<(), Fault> {
+        self.expect_mode("stepping", &[Mode::Step])?;
+        let Some(grid) = &self.grid else {
+            return Err(Fault::fatal("stepping: the instance was never initialised"));
+        };
+        let (tau, now) = (grid.tau_f64(), self.time());
+        if (point - now).is_nan() || (point - now).abs() >= tau / 2.0 {
+            return Err(Fault::error(format!(
+                "a step from `{point}` s: expected `{now}` s, the end of the last step"
+            )));
+        }
+        let count = (size / tau).round();
+        if !(count >= 1.0 && (size / tau - count).abs() <= STEP_NOISE * count) {
+            return Err(Fault::error(format!(
+                "a step of `{size}` s: expected a whole multiple of the parameter `{TAU}`, `{}` s",
+                self.tau
+            )));
+        }
+        if self.stop_time.is_some_and(|stop| now + size > stop + tau / 2.0) {
+            return Err(Fault::error(format!(
+                "a step of `{size}` s from `{now}` s: goes beyond the end of the run"
+            )));
+        }
+        // In range: more steps than the grid has are refused in the loop.
+        for _ in 0..count as u64 {
+            if self.step >= grid.steps() {
+                return Err(Fault::error(format!("the run is longer than {MAX_STEPS} steps")));
+            }
+            self.unit.do_step(grid, self.step)?;
+            self.step += 1;
+        }
+        Ok(())
+    }
+
+    /// The present state.
+    ///
+    /// # Errors
+    /// The instance is of no more use.
+    pub fn save(&self) -> Result<Snapshot, Fault> {
+        let allowed = [Mode::Instantiated, Mode::Initialisation, Mode::Step, Mode::Terminated];
+        self.expect_mode("keeping the state", &allowed)?;
+        let mut settable = Vec::with_capacity(self.variables.len());
+        for (place, variable) in self.variables.iter().enumerate() {
+            settable.push(match variable.causality {
+                _ if variable.name == TAU => Some(Value::Exact(Quotient::from(&self.tau))),
+                Causality::Parameter | Causality::Input => Some(self.unit.get(place)?),
+                Causality::Output | Causality::Local => None,
+            });
+        }
+        Ok(Snapshot {
+            token: self.token.clone(),
+            mode: self.mode,
+            start_time: self.start_time,
+            stop_time: self.stop_time,
+            step: self.step,
+            settable,
+            memory: self.unit.memory(),
+        })
+    }
+
+    /// Goes back to a state; where that is impossible the instance stays as it is.
+    ///
+    /// # Errors
+    /// The state of another FMU, or one that was tampered with.
+    pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), Fault> {
+        if self.mode == Mode::Fatal {
+            return Err(Fault::fatal("going back: the instance is of no more use"));
+        }
+        if snapshot.token != self.token {
+            return Err(Fault::error("this is the state of another FMU"));
+        }
+        let mut back = Self::instantiate_like(self);
+        if snapshot.settable.len() != back.variables.len() {
+            return Err(Fault::error("this state has another number of variables"));
+        }
+        for (reference, value) in (0..).zip(&snapshot.settable) {
+            if let Some(value) = value {
+                back.set(reference, value)?;
+            }
+        }
+        (back.start_time, back.stop_time) = (snapshot.start_time, snapshot.stop_time);
+        if snapshot.mode != Mode::Instantiated {
+            back.mode = Mode::Initialisation;
+            // Parameters that do not fit yet are no fault until the initialisation ends.
+            let settled = back.settle();
+            if snapshot.mode != Mode::Initialisation {
+                settled?;
+                back.unit.recall(&snapshot.memory)?;
+            }
+        }
+        back.mode = snapshot.mode;
+        back.step = snapshot.step;
+        *self = back;
+        Ok(())
+    }
+
+    fn instantiate_like(other: &Self) -> Self {
+        Self {
+            name: other.name.clone(),
+            model: other.model,
+            token: other.token.clone(),
+            variables: other.variables.clone(),
+            unit: other.model.unit(&other.name),
+            mode: Mode::Instantiated,
+            tau: default_tau(),
+            grid: None,
+            start_time: 0.0,
+            stop_time: None,
+            step: 0,
+            stale: true,
+        }
+    }
+
+    /// A state from its serialised form.
+    ///
+    /// # Errors
+    /// No such form, or the state of another FMU.
+    pub fn snapshot_from_bytes(&self, bytes: &[u8]) -> Result<Snapshot, Fault> {
+        Snapshot::from_bytes(&self.token, bytes).map_err(Fault::error)
+    }
+}
+
+fn grid(tau: &Rational) -> Result<Grid, Fault> {
+    Grid::new(tau.clone(), MAX_STEPS).map_err(|e| Fault::error(e.to_string()))
+}
+
+fn unexpected(value: &Value) -> Fault {
+    Fault::error(format!("the unit gave `{value}`, of another type than it says"))
+}

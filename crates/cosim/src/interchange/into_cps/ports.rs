@@ -1,0 +1,105 @@
+//! The names in a multi-model: `{fmu}.instance.variable`.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+
+use serde_json::Value as Json;
+
+use super::MultiModel;
+use cordon_core::{Error, Result};
+
+/// An instance of an FMU.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Instance {
+    /// Key of the FMU, in braces.
+    pub fmu: String,
+    /// Name of the instance.
+    pub name: String,
+}
+
+/// A variable of an instance.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Port {
+    /// The instance.
+    pub instance: Instance,
+    /// Name of the variable.
+    pub variable: String,
+}
+
+impl fmt::Display for Instance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.fmu, self.name)
+    }
+}
+
+impl fmt::Display for Port {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.instance, self.variable)
+    }
+}
+
+impl Port {
+    /// Splits `{fmu}.instance.variable`; variables may have dots of their own.
+    fn parse(text: &str) -> Result<Self> {
+        let parts = || {
+            let (fmu, rest) = text.split_once("}.")?;
+            let (name, variable) = rest.split_once('.')?;
+            fmu.starts_with('{').then(|| Self {
+                instance: Instance { fmu: format!("{fmu}}}"), name: name.to_owned() },
+                variable: variable.to_owned(),
+            })
+        };
+        parts()
+            .ok_or_else(|| Error::input(format!("`{text}`: expected `{{fmu}}.instance.variable`")))
+    }
+}
+
+/// A multi-model by its ports.
+pub(super) struct Ports {
+    /// All connections, from output to input.
+    pub wires: BTreeSet<(Port, Port)>,
+    /// What is set, by instance and variable.
+    pub settings: BTreeMap<Instance, BTreeMap<String, Json>>,
+}
+
+impl Ports {
+    /// Reads all names of a multi-model.
+    ///
+    /// # Errors
+    /// A name of another form, or of an FMU that the multi-model does not have.
+    pub fn of(model: &MultiModel) -> Result<Self> {
+        let port = |text: &str| {
+            let port = Port::parse(text)?;
+            if model.fmus.contains_key(&port.instance.fmu) {
+                return Ok(port);
+            }
+            let known: Vec<_> = model.fmus.keys().map(String::as_str).collect();
+            Err(Error::input(format!("`{text}`: expected an FMU among {}", known.join(", "))))
+        };
+        let mut ports = Self { wires: BTreeSet::new(), settings: BTreeMap::new() };
+        for (from, targets) in &model.connections {
+            let from = port(from)?;
+            for to in targets {
+                let to = port(to)?;
+                for end in [&from, &to] {
+                    ports.settings.entry(end.instance.clone()).or_default();
+                }
+                ports.wires.insert((from.clone(), to));
+            }
+        }
+        for (name, value) in &model.parameters {
+            let Port { instance, variable } = port(name)?;
+            ports.settings.entry(instance).or_default().insert(variable, value.clone());
+        }
+        Ok(ports)
+    }
+
+    /// The instances to which an instance sends something (from one variable, or from any).
+    pub fn targets(&self, from: &Instance, variable: Option<&str>) -> BTreeSet<Instance> {
+        self.wires
+            .iter()
+            .filter(|(f, _)| f.instance == *from && variable.is_none_or(|v| v == f.variable))
+            .map(|(_, to)| to.instance.clone())
+            .collect()
+    }
+}

@@ -1,0 +1,364 @@
+//! Reads multi-models as scenarios.
+//!
+//! What is read has to be a swarm: drones of a coordination unit of this program, a controller
+//! and a plant each, connected as [`Assembly`] connects them. A controller or a plant may be an
+//! FMU of another tool whose variables have the same names. To be sure that nothing is overlooked,
+//! the swarm that was read is assembled again and compared with the file.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use cordon_spec::Phase;
+use serde_json::Value as Json;
+
+use super::MultiModel;
+use super::ports::{Instance, Port, Ports};
+use crate::fmi::archive::Fmu;
+use crate::fmi::interface::{Model, Positions, TAU};
+use crate::interchange::{Assembly, End};
+use crate::swarm::Swarm;
+use crate::unit::Value;
+use cordon_core::exact::{self, Rational};
+use cordon_core::{Error, Result, files};
+use cordon_run::scenario::{Draft, Flight, Start, Substitute, UnitName};
+
+/// Whether a file's name says that it is a multi-model.
+pub fn is_multi_model(path: &Path) -> bool {
+    path.extension().is_some_and(|e| e == "json")
+}
+
+/// Reads a multi-model as a scenario.
+///
+/// # Errors
+/// The file or one of its FMUs cannot be read, or it is not the multi-model of a swarm: the
+/// message names the file and what does not fit.
+pub fn read(path: &Path) -> Result<Draft> {
+    let text = files::read_text(path)?;
+    let named = |e: Error| match e {
+        Error::Input(what) => Error::input(format!("{}: {what}", path.display())),
+        e => e,
+    };
+    let model: MultiModel = serde_json::from_str(&text)
+        .map_err(|e| named(Error::input(format!("expected an INTO-CPS multi-model: {e}"))))?;
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let mut fmus = BTreeMap::new();
+    for (key, file) in &model.fmus {
+        fmus.insert(key.clone(), Fmu::open(&folder.join(file))?);
+    }
+    Reader { ports: Ports::of(&model).map_err(named)?, model: &model, fmus }.draft().map_err(named)
+}
+
+struct Reader<'m> {
+    model: &'m MultiModel,
+    ports: Ports,
+    fmus: BTreeMap<String, Fmu>,
+}
+
+/// The three instances of a drone.
+struct Drone {
+    units: [Instance; 3],
+    /// Their models; `None` for FMUs of other tools.
+    models: [Option<Model>; 3],
+}
+
+impl Reader<'_> {
+    fn draft(&self) -> Result<Draft> {
+        let drones = self.drones()?;
+        let draft = self.as_read(&drones)?;
+        self.compare(&drones, &draft)?;
+        let mut draft = draft;
+        draft.flight.units = self.substitutes(&drones);
+        Ok(draft)
+    }
+
+    fn model_of(&self, instance: &Instance) -> Option<Model> {
+        self.fmus.get(&instance.fmu).and_then(Fmu::model)
+    }
+
+    /// The value of a variable: as set, or the model's start value.
+    fn value(&self, instance: &Instance, model: Model, variable: &str) -> Result<String> {
+        let set = self.ports.settings.get(instance).and_then(|s| s.get(variable));
+        match set {
+            Some(Json::String(text)) => Ok(text.clone()),
+            Some(other) => Ok(other.to_string()),
+            None => {
+                let start = model.variables().into_iter().find(|v| v.name == variable);
+                let missing = || Error::input(format!("{instance}: has no variable `{variable}`"));
+                Ok(start.ok_or_else(missing)?.start.to_string())
+            }
+        }
+    }
+
+    fn number(&self, instance: &Instance, model: Model, variable: &str) -> Result<Rational> {
+        exact::parse(&format!("{instance}.{variable}"), &self.value(instance, model, variable)?)
+    }
+
+    fn whole<T: std::str::FromStr>(
+        &self,
+        instance: &Instance,
+        model: Model,
+        variable: &str,
+    ) -> Result<T> {
+        let text = self.value(instance, model, variable)?;
+        text.parse().map_err(|_| {
+            Error::input(format!("{instance}.{variable}: `{text}`: expected a whole number"))
+        })
+    }
+
+    /// The drones, by their identifiers.
+    fn drones(&self) -> Result<Vec<Drone>> {
+        let mut by_id = BTreeMap::new();
+        for instance in self.ports.settings.keys() {
+            if let Some(model @ Model::Coordination(_)) = self.model_of(instance) {
+                let id: usize = self.whole(instance, model, "id")?;
+                if let Some(other) = by_id.insert(id, (instance.clone(), model)) {
+                    return Err(Error::input(format!(
+                        "{instance}.id: `{id}` is that of {} too: expected different ones",
+                        other.0
+                    )));
+                }
+            }
+        }
+        let count = by_id.len();
+        let mut drones = Vec::with_capacity(count);
+        for (place, (id, (coordination, model))) in by_id.into_iter().enumerate() {
+            let said: usize = self.whole(&coordination, model, "count")?;
+            if id != place || said != count {
+                return Err(Error::input(format!(
+                    "{coordination}: drone {id} of {said}: expected drone {place} of {count}, \
+                     as many as there are"
+                )));
+            }
+            drones.push(self.drone(coordination, model)?);
+        }
+        if drones.is_empty() {
+            return Err(Error::input(
+                "expected coordination units of this program, exported by `cordon fmu export`",
+            ));
+        }
+        Ok(drones)
+    }
+
+    fn drone(&self, coordination: Instance, model: Model) -> Result<Drone> {
+        let others = |from: &Instance, variable: Option<&str>| {
+            let mut targets = self.ports.targets(from, variable);
+            targets.retain(|t| !matches!(self.model_of(t), Some(Model::Coordination(_))));
+            targets
+        };
+        let one = |what: &str, from: &Instance, found: BTreeSet<Instance>| {
+            let count = found.len();
+            let mut found = found.into_iter();
+            match (found.next(), count) {
+                (Some(only), 1) => Ok(only),
+                _ => Err(Error::input(format!(
+                    "{from}: sends to {count} units: expected one {what}"
+                ))),
+            }
+        };
+        let control = one("controller", &coordination, others(&coordination, Some("x_d")))?;
+        let plant = one("plant", &control, others(&control, None))?;
+        let models = [Some(model), self.model_of(&control), self.model_of(&plant)];
+        let expected = [(1, Model::Control, &control), (2, Model::Plant, &plant)];
+        for (place, wanted, instance) in expected {
+            if models[place].is_some_and(|m| m != wanted) {
+                return Err(Error::input(format!(
+                    "{instance}: expected `{}` here, or an FMU of another tool",
+                    wanted.identifier()
+                )));
+            }
+        }
+        Ok(Drone { units: [coordination, control, plant], models })
+    }
+
+    /// What the units are set to.
+    fn as_read(&self, drones: &[Drone]) -> Result<Draft> {
+        let mut start = Vec::new();
+        let mut actual = Vec::new();
+        let mut common = None;
+        for drone in drones {
+            let [coordination, _, plant] = &drone.units;
+            let Some(model @ Model::Coordination(positions)) = drone.models[0] else { continue };
+            if positions == Positions::SixDigits {
+                return Err(Error::input(format!(
+                    "{coordination}: expected exact positions or doubles: the arithmetic of the \
+                     recorded runs needs a scenario file and `--compat recorded`"
+                )));
+            }
+            start.push(self.number(coordination, model, "start")?);
+            let number = |variable| self.number(coordination, model, variable);
+            let period: u32 = self.whole(coordination, model, "period")?;
+            let phase = self.value(coordination, model, "first_update")?;
+            let shared = (
+                [number("min")?, number("max")?, number("weight")?, number(TAU)?],
+                period,
+                phase,
+                self.value(coordination, model, "skip_lost")?,
+                positions,
+            );
+            match &common {
+                Some(known) if *known != shared => {
+                    return Err(Error::input(format!(
+                        "{coordination}: expected the parameters that the other drones have"
+                    )));
+                }
+                _ => common = Some(shared),
+            }
+            actual.push(match drone.models[2] {
+                Some(model) => self.number(plant, model, "x0")?,
+                None => start.last().cloned().unwrap_or_default(),
+            });
+        }
+        let Some(([min, max, weight, tau], period, phase, skip, positions)) = common else {
+            return Err(Error::input("expected drones"));
+        };
+        let mut flight = Flight {
+            start: Some(actual),
+            exchange: Some(
+                if positions == Positions::Exact { "exact" } else { "double" }.to_owned(),
+            ),
+            on_loss: Some(if skip == "true" { "skip" } else { "hold" }.to_owned()),
+            duration: Some(self.duration(&tau)?),
+            ..Flight::default()
+        };
+        if let Some((control, model)) = first(drones, 1) {
+            flight.lambda_p = Some(self.number(control, model, "lambda_P")?);
+            flight.lambda_a = Some(self.number(control, model, "lambda_A")?);
+            flight.z_d = Some(self.number(control, model, "z_d")?);
+        }
+        if let Some((plant, model)) = first(drones, 2) {
+            flight.integrator = Some(self.value(plant, model, "integrator")?);
+        }
+        Ok(Draft {
+            min: Some(min),
+            max: Some(max),
+            start: Some(Start::Listed(start)),
+            weight: Some(weight),
+            period: Some(period),
+            phase: Some(if phase == "last" { Phase::Last } else { Phase::First }),
+            tau: Some(tau),
+            flight,
+            ..Draft::default()
+        })
+    }
+
+    /// The length of the run, a whole number of steps.
+    fn duration(&self, tau: &Rational) -> Result<Rational> {
+        let step = exact::to_f64(tau);
+        let Some(algorithm) = &self.model.algorithm else {
+            return Err(Error::input("algorithm is missing: expected a fixed step"));
+        };
+        if algorithm.kind != "fixed-step" || algorithm.size != Some(step) {
+            let size = algorithm.size.map_or("none".to_owned(), |s| s.to_string());
+            return Err(Error::input(format!(
+                "algorithm: `{}` of size {size}: expected `fixed-step` of size {step}, the units' `{TAU}`",
+                algorithm.kind
+            )));
+        }
+        let end = self.model.end_time.unwrap_or(f64::NAN);
+        let start = self.model.start_time.unwrap_or(0.0);
+        let steps = (end / step).round();
+        let duration = Rational::from_float(steps).unwrap_or_default() * tau;
+        if start == 0.0 && end >= 0.0 && exact::to_f64(&duration) == end {
+            return Ok(duration);
+        }
+        Err(Error::input(format!(
+            "a run from {start} to {end} s: expected one from 0 to a whole multiple of {step} s"
+        )))
+    }
+
+    /// Compares the file with the assembly of what was read.
+    fn compare(&self, drones: &[Drone], draft: &Draft) -> Result<()> {
+        let swarm = Swarm::new(draft.clone().finish()?, draft.flight.clone())?;
+        let assembly = Assembly::of(&swarm)?;
+        let mut unmatched = self.ports.wires.clone();
+        for (from, to) in &assembly.connections {
+            let is_expected =
+                |wire: &&(Port, Port)| is_end(drones, from, &wire.0) && is_end(drones, to, &wire.1);
+            let Some(found) = unmatched.iter().find(is_expected).cloned() else {
+                return Err(Error::input(format!(
+                    "a connection from `{}` to `{}` is missing: expected those of a swarm",
+                    expected_name(drones, from),
+                    expected_name(drones, to)
+                )));
+            };
+            unmatched.remove(&found);
+        }
+        if let Some((from, to)) = unmatched.first() {
+            return Err(Error::input(format!(
+                "the connection from `{from}` to `{to}` is none of a swarm"
+            )));
+        }
+        for (place, instance) in assembly.instances.iter().enumerate() {
+            let Some((unit, Some(_))) = unit_at(drones, place) else { continue };
+            let ours: BTreeMap<&str, String> =
+                instance.settings.iter().map(|(n, v)| (n.as_str(), v.to_string())).collect();
+            let changed = |(name, value): &(&String, &Json)| -> bool {
+                let start = instance.model.variables().into_iter().find(|v| v.name == **name);
+                !start.is_some_and(|v| same(&v.start, value))
+            };
+            let theirs = self.ports.settings.get(unit).into_iter().flatten();
+            for (name, value) in theirs.filter(changed) {
+                let known = ours.get(name.as_str());
+                if !known.is_some_and(|k| same_text(k, value)) {
+                    return Err(Error::input(format!(
+                        "{unit}.{name}: `{value}`: expected `{}`, as a swarm has it",
+                        known.map_or("the start value", String::as_str)
+                    )));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// FMUs of other tools.
+    fn substitutes(&self, drones: &[Drone]) -> Vec<Substitute> {
+        let mut substitutes = Vec::new();
+        for (drone, d) in drones.iter().enumerate() {
+            for (place, unit) in UnitName::ALL.into_iter().enumerate() {
+                let (Some(instance), Some(None)) = (d.units.get(place), d.models.get(place)) else {
+                    continue;
+                };
+                let Some(fmu) = self.fmus.get(&instance.fmu) else { continue };
+                let fmu = fmu.path.clone();
+                substitutes.push(Substitute { drone, unit, fmu, names: BTreeMap::new() });
+            }
+        }
+        substitutes
+    }
+}
+
+/// The first instance at a place of a drone that is a unit of this program.
+fn first(drones: &[Drone], place: usize) -> Option<(&Instance, Model)> {
+    drones.iter().find_map(|d| Some((d.units.get(place)?, (*d.models.get(place)?)?)))
+}
+
+fn unit_at(drones: &[Drone], place: usize) -> Option<(&Instance, Option<Model>)> {
+    let drone = drones.get(place / 3)?;
+    Some((drone.units.get(place % 3)?, *drone.models.get(place % 3)?))
+}
+
+/// Whether a port is where an end of an assembly's connection should be. Another tool's FMU has
+/// the same names.
+fn is_end(drones: &[Drone], end: &End, port: &Port) -> bool {
+    unit_at(drones, end.instance)
+        .is_some_and(|(unit, _)| *unit == port.instance && end.variable == port.variable)
+}
+
+fn expected_name(drones: &[Drone], end: &End) -> String {
+    let unit = unit_at(drones, end.instance).map(|(unit, _)| unit.to_string());
+    format!("{}.{}", unit.unwrap_or_default(), end.variable)
+}
+
+/// Whether a value of the file is a start value.
+fn same(start: &Value, json: &Json) -> bool {
+    same_text(&start.to_string(), json)
+}
+
+fn same_text(ours: &str, json: &Json) -> bool {
+    let theirs = match json {
+        Json::String(text) => text.clone(),
+        other => other.to_string(),
+    };
+    let number = |text: &str| exact::parse("value", text).ok();
+    ours == theirs || number(ours).is_some_and(|n| number(&theirs) == Some(n))
+}

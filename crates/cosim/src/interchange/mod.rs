@@ -1,0 +1,169 @@
+//! Whole co-simulations in the formats of other tools: INTO-CPS multi-models ([`into_cps`], both
+//! ways) and SSP systems ([`ssp`]).
+
+pub mod into_cps;
+pub mod ssp;
+
+use crate::fmi::interface::{Model, TAU, default_tau};
+use crate::master::Algorithm;
+use crate::swarm::Swarm;
+use crate::unit::{Causality, Unit, Value};
+use crate::wiring::Port;
+use cordon_core::exact::Rational;
+use cordon_core::{Error, Result};
+use cordon_run::scenario::Protocol;
+
+/// Instances of exported units and what is connected with what.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assembly {
+    /// What it is about, for people.
+    pub title: String,
+    /// Length of a communication step in seconds.
+    pub tau: Rational,
+    /// Number of communication steps.
+    pub steps: u64,
+    /// The instances: for drone i coordination, control and plant at 3 i and after.
+    pub instances: Vec<Instance>,
+    /// From output to input.
+    pub connections: Vec<(End, End)>,
+}
+
+/// An instance of an exported unit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Instance {
+    /// Its name.
+    pub name: String,
+    /// The unit.
+    pub model: Model,
+    /// Parameters, and inputs that nothing is connected to, where they differ from the model's
+    /// start values.
+    pub settings: Vec<(String, Value)>,
+}
+
+/// One end of a connection.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct End {
+    /// Place of the instance.
+    pub instance: usize,
+    /// Name of the variable.
+    pub variable: String,
+}
+
+impl Assembly {
+    /// The co-simulation of a swarm.
+    ///
+    /// # Errors
+    /// It has what other tools' masters do not: another protocol than coverage, faults, a
+    /// Gauss-Seidel master.
+    pub fn of(swarm: &Swarm) -> Result<Self> {
+        expect_plain(swarm)?;
+        let wiring = swarm.wiring()?;
+        let mut instances = Vec::with_capacity(wiring.units().len());
+        for (place, unit) in wiring.units().iter().enumerate() {
+            let model = match place % 3 {
+                0 => Model::Coordination(swarm.exchange.into()),
+                1 => Model::Control,
+                _ => Model::Plant,
+            };
+            let mut settings = parameters(model, unit.as_ref())?;
+            if *swarm.grid.tau() != default_tau() {
+                settings.push((TAU.to_owned(), Value::Exact(swarm.grid.tau().into())));
+            }
+            instances.push(Instance { name: unit.name().to_owned(), model, settings });
+        }
+        let end = |port: Port| -> Result<End> {
+            let unit = wiring.units().get(port.unit);
+            let variable = unit.and_then(|u| u.variables().get(port.variable));
+            let missing = || Error::input(format!("unit {}: expected a variable", port.unit));
+            let variable = variable.ok_or_else(missing)?;
+            Ok(End { instance: port.unit, variable: variable.name.clone() })
+        };
+        for (port, value) in wiring.held() {
+            let end = end(port)?;
+            let Some(instance) = instances.get_mut(end.instance) else { continue };
+            let start = instance.model.variables().into_iter().find(|v| v.name == end.variable);
+            if start.is_some_and(|v| v.start != *value) {
+                instance.settings.push((end.variable, value.clone()));
+            }
+        }
+        let connections = wiring
+            .connections()
+            .map(|(from, to)| Ok((end(from)?, end(to)?)))
+            .collect::<Result<_>>()?;
+        Ok(Self {
+            title: swarm.scenario.title.clone(),
+            tau: swarm.grid.tau().clone(),
+            steps: swarm.grid.steps(),
+            instances,
+            connections,
+        })
+    }
+
+    /// The models that it has instances of, each once, in order.
+    pub fn models(&self) -> Vec<Model> {
+        let mut models: Vec<Model> = self.instances.iter().map(|i| i.model).collect();
+        models.sort_unstable();
+        models.dedup();
+        models
+    }
+
+    /// The end of the run in seconds.
+    pub fn end_time(&self) -> Rational {
+        &self.tau * Rational::from_integer(self.steps.into())
+    }
+
+    /// The position whose run is of interest: the output of an instance, or none.
+    pub fn position_of(instance: &Instance) -> Option<&'static str> {
+        match instance.model {
+            Model::Coordination(_) => Some("x_d"),
+            Model::Plant => Some("x"),
+            Model::Control => None,
+        }
+    }
+}
+
+fn expect_plain(swarm: &Swarm) -> Result<()> {
+    let protocol = &swarm.scenario.protocol;
+    if !matches!(protocol, Protocol::Coverage { .. }) {
+        return Err(Error::input(format!(
+            "protocol: `{}`: expected `coverage`, the protocol of the exported coordination unit",
+            protocol.name()
+        )));
+    }
+    if swarm.algorithm != Algorithm::Jacobi {
+        return Err(Error::input(format!(
+            "master: `{}`: expected `jacobi`, the order of steps that other tools have",
+            swarm.algorithm.name()
+        )));
+    }
+    if let Some(substitute) = swarm.units.first() {
+        return Err(Error::input(format!(
+            "unit: `{}` in the place of the {} of drone {}: expected units of this program only",
+            substitute.fmu.display(),
+            substitute.unit.name(),
+            substitute.drone
+        )));
+    }
+    if swarm.faults.is_empty() {
+        return Ok(());
+    }
+    Err(Error::input(format!(
+        "fault: {} faults: expected none: other tools' connections have no faults to export to",
+        swarm.faults.len()
+    )))
+}
+
+/// The parameters that differ from the model's start values.
+fn parameters(model: Model, unit: &dyn Unit) -> Result<Vec<(String, Value)>> {
+    let mut changed = Vec::new();
+    for (place, (variable, start)) in unit.variables().iter().zip(model.variables()).enumerate() {
+        if variable.causality != Causality::Parameter {
+            continue;
+        }
+        let value = unit.get(place)?;
+        if value != start.start {
+            changed.push((variable.name.clone(), value));
+        }
+    }
+    Ok(changed)
+}

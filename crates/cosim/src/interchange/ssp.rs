@@ -1,0 +1,211 @@
+//! SSP 1.0: the system structure, with the FMUs, in one archive.
+
+use std::io::{Cursor, Result};
+
+use quick_xml::Writer;
+use quick_xml::events::{BytesDecl, Event};
+
+use super::{Assembly, Instance};
+use crate::fmi::description::base_units;
+use crate::fmi::interface::{FmiVersion, Model};
+use crate::fmi::package;
+use crate::unit::{Causality, Dimension, Kind, Value, Variable};
+use cordon_core::exact;
+
+type Xml = Writer<Cursor<Vec<u8>>>;
+
+/// The archive: `SystemStructure.ssd`, and an FMU of every model under `resources/`.
+///
+/// # Errors
+/// The standards have no name for this platform, or something is too large for an archive.
+pub fn archive(
+    assembly: &Assembly,
+    version: FmiVersion,
+    binary: &[u8],
+) -> cordon_core::Result<Vec<u8>> {
+    let structure = structure(assembly)?;
+    let mut files = vec![("SystemStructure.ssd".to_owned(), structure)];
+    for model in assembly.models() {
+        files.push((source(model), package::fmu(model, version, binary)?));
+    }
+    let files: Vec<(&str, &[u8])> =
+        files.iter().map(|(path, content)| (path.as_str(), content.as_slice())).collect();
+    package::archive(&files)
+}
+
+fn source(model: Model) -> String {
+    format!("resources/{}.fmu", model.identifier())
+}
+
+/// The system structure description.
+///
+/// # Errors
+/// None: memory takes every write. The signature is that of the XML writer.
+pub fn structure(assembly: &Assembly) -> Result<Vec<u8>> {
+    let mut xml = Writer::new_with_indent(Cursor::new(Vec::new()), b' ', 2);
+    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+    let namespace = |part: &str| format!("http://ssp-standard.org/SSP1/SystemStructure{part}");
+    xml.create_element("ssd:SystemStructureDescription")
+        .with_attribute(("xmlns:ssd", namespace("Description").as_str()))
+        .with_attribute(("xmlns:ssc", namespace("Common").as_str()))
+        .with_attribute(("xmlns:ssv", namespace("ParameterValues").as_str()))
+        .with_attribute(("version", "1.0"))
+        .with_attribute(("name", assembly.title.as_str()))
+        .with_attribute(("generationTool", concat!("cordon ", env!("CARGO_PKG_VERSION"))))
+        .write_inner_content(|xml| {
+            xml.create_element("ssd:System")
+                .with_attribute(("name", "swarm"))
+                .write_inner_content(|xml| system(xml, assembly))?;
+            units(xml, assembly)?;
+            let end = exact::to_f64(&assembly.end_time()).to_string();
+            xml.create_element("ssd:DefaultExperiment")
+                .with_attribute(("startTime", "0"))
+                .with_attribute(("stopTime", end.as_str()))
+                .write_empty()?;
+            Ok(())
+        })?;
+    let mut bytes = xml.into_inner().into_inner();
+    bytes.push(b'\n');
+    Ok(bytes)
+}
+
+fn system(xml: &mut Xml, assembly: &Assembly) -> Result<()> {
+    xml.create_element("ssd:Elements").write_inner_content(|xml| {
+        assembly.instances.iter().try_for_each(|instance| component(xml, instance))
+    })?;
+    let name = |place: usize| assembly.instances.get(place).map_or("", |i| i.name.as_str());
+    xml.create_element("ssd:Connections").write_inner_content(|xml| {
+        for (from, to) in &assembly.connections {
+            xml.create_element("ssd:Connection")
+                .with_attribute(("startElement", name(from.instance)))
+                .with_attribute(("startConnector", from.variable.as_str()))
+                .with_attribute(("endElement", name(to.instance)))
+                .with_attribute(("endConnector", to.variable.as_str()))
+                .write_empty()?;
+        }
+        Ok(())
+    })?;
+    Ok(())
+}
+
+fn component(xml: &mut Xml, instance: &Instance) -> Result<()> {
+    xml.create_element("ssd:Component")
+        .with_attribute(("name", instance.name.as_str()))
+        .with_attribute(("type", "application/x-fmu-sharedlibrary"))
+        .with_attribute(("source", source(instance.model).as_str()))
+        .with_attribute(("implementation", "CoSimulation"))
+        .write_inner_content(|xml| {
+            xml.create_element("ssd:Connectors").write_inner_content(|xml| {
+                for variable in instance.model.variables() {
+                    if matches!(variable.causality, Causality::Input | Causality::Output) {
+                        connector(xml, &variable)?;
+                    }
+                }
+                Ok(())
+            })?;
+            if instance.settings.is_empty() {
+                return Ok(());
+            }
+            nested(
+                xml,
+                &["ssd:ParameterBindings", "ssd:ParameterBinding", "ssd:ParameterValues"],
+                &|xml| parameter_set(xml, instance),
+            )
+        })?;
+    Ok(())
+}
+
+/// Elements without attributes, one inside the other.
+fn nested(xml: &mut Xml, names: &[&str], inner: &dyn Fn(&mut Xml) -> Result<()>) -> Result<()> {
+    match names {
+        [] => inner(xml),
+        [first, rest @ ..] => {
+            xml.create_element(*first).write_inner_content(|xml| nested(xml, rest, inner))?;
+            Ok(())
+        }
+    }
+}
+
+fn parameter_set(xml: &mut Xml, instance: &Instance) -> Result<()> {
+    xml.create_element("ssv:ParameterSet")
+        .with_attribute(("version", "1.0"))
+        .with_attribute(("name", instance.name.as_str()))
+        .write_inner_content(|xml| {
+            xml.create_element("ssv:Parameters").write_inner_content(|xml| {
+                for (name, value) in &instance.settings {
+                    xml.create_element("ssv:Parameter")
+                        .with_attribute(("name", name.as_str()))
+                        .write_inner_content(|xml| {
+                            xml.create_element(value_element(value))
+                                .with_attribute(("value", value.to_string().as_str()))
+                                .write_empty()?;
+                            Ok(())
+                        })?;
+                }
+                Ok(())
+            })?;
+            Ok(())
+        })?;
+    Ok(())
+}
+
+fn value_element(value: &Value) -> &'static str {
+    match value {
+        Value::Real(_) => "ssv:Real",
+        Value::Integer(_) => "ssv:Integer",
+        Value::Boolean(_) => "ssv:Boolean",
+        Value::Text(_) | Value::Exact(_) => "ssv:String",
+    }
+}
+
+fn connector(xml: &mut Xml, variable: &Variable) -> Result<()> {
+    xml.create_element("ssd:Connector")
+        .with_attribute(("name", variable.name.as_str()))
+        .with_attribute(("kind", variable.causality.name()))
+        .write_inner_content(|xml| {
+            let mut kind = xml.create_element(match variable.kind() {
+                Kind::Real => "ssc:Real",
+                Kind::Integer => "ssc:Integer",
+                Kind::Boolean => "ssc:Boolean",
+                Kind::Text | Kind::Exact => "ssc:String",
+            });
+            if has_unit(variable) {
+                kind = kind.with_attribute(("unit", variable.dimension.0));
+            }
+            kind.write_empty()?;
+            Ok(())
+        })?;
+    Ok(())
+}
+
+fn has_unit(variable: &Variable) -> bool {
+    variable.kind() == Kind::Real && variable.dimension != Dimension::NONE
+}
+
+fn units(xml: &mut Xml, assembly: &Assembly) -> Result<()> {
+    let mut symbols: Vec<&str> = assembly
+        .models()
+        .into_iter()
+        .flat_map(Model::variables)
+        .filter(|v| matches!(v.causality, Causality::Input | Causality::Output) && has_unit(v))
+        .map(|v| v.dimension.0)
+        .collect();
+    symbols.sort_unstable();
+    symbols.dedup();
+    xml.create_element("ssd:Units").write_inner_content(|xml| {
+        for symbol in symbols {
+            xml.create_element("ssc:Unit").with_attribute(("name", symbol)).write_inner_content(
+                |xml| {
+                    let mut base = xml.create_element("ssc:BaseUnit");
+                    for (unit, exponent) in base_units(symbol) {
+                        base = base.with_attribute((unit.as_str(), exponent.to_string().as_str()));
+                    }
+                    base.write_empty()?;
+                    Ok(())
+                },
+            )?;
+        }
+        Ok(())
+    })?;
+    Ok(())
+}

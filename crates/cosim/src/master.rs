@@ -1,0 +1,420 @@
+//! The master: steps units along a grid and carries values between them.
+
+use std::ops::Range;
+
+use num_traits::ToPrimitive;
+use rayon::prelude::*;
+
+use super::grid::Grid;
+use super::order;
+use super::unit::{Unit, UnitError, Value, at_variable};
+use super::wiring::{Link, Port, Timing, Wiring};
+use cordon_core::exact::decimal_string;
+use cordon_core::{Error, Result};
+
+/// How values travel within a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Algorithm {
+    /// Read all outputs, set all inputs, step all units: every value is one step old.
+    #[default]
+    Jacobi,
+    /// Immediate connections carry the value after the source's step.
+    GaussSeidel,
+}
+
+impl Algorithm {
+    /// Its name in scenario files and flags.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Jacobi => "jacobi",
+            Self::GaussSeidel => "gauss-seidel",
+        }
+    }
+
+    /// The algorithm of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        [Self::Jacobi, Self::GaussSeidel].into_iter().find(|a| a.name() == name)
+    }
+}
+
+/// From how many units on the work is shared among threads.
+const PARALLEL_FROM: usize = 512;
+
+/// Units and connections, ready to run. Fixed step; time is an exact rational.
+pub struct Master {
+    grid: Grid,
+    cells: Vec<Cell>,
+    /// Outputs of every unit that are connected, as they were at the present grid point.
+    sent: Vec<Vec<Value>>,
+    /// Whether a unit's outputs may have changed in the last step.
+    fresh: Vec<bool>,
+    /// Whether some unit is out of order at some time.
+    outages: bool,
+    schedule: Schedule,
+}
+
+/// A unit with what comes in and goes out.
+struct Cell {
+    unit: Box<dyn Unit>,
+    /// Places of the connected outputs.
+    outputs: Vec<usize>,
+    inputs: Vec<Input>,
+    outages: Vec<Range<u64>>,
+}
+
+struct Input {
+    variable: usize,
+    from: Port,
+    /// Place among the source's connected outputs.
+    slot: usize,
+    timing: Timing,
+    link: Option<Box<dyn Link>>,
+}
+
+/// The order of a step.
+enum Schedule {
+    /// All units at once.
+    AtOnce,
+    /// First the sampled values, each a (unit, input); then the units one by one.
+    InOrder { sampled: Vec<(usize, usize)>, units: Vec<usize> },
+}
+
+impl Master {
+    /// Checks the wiring, initialises the units and gives every input the initial value of
+    /// its source.
+    ///
+    /// # Errors
+    /// An unknown, unconnected or doubly driven variable, a mismatch of causality, type or
+    /// physical unit, an algebraic loop, or a unit that refuses: the message names unit and
+    /// variable.
+    pub fn new(wiring: Wiring, grid: Grid, algorithm: Algorithm) -> Result<Self> {
+        wiring.check()?;
+        let sampled = order::connections(&wiring, |c| {
+            algorithm == Algorithm::Jacobi || c.timing == Timing::Sampled
+        })?;
+        let in_order = match algorithm {
+            Algorithm::GaussSeidel => order::units(&wiring)?,
+            Algorithm::Jacobi => (0..wiring.units.len()).collect(),
+        };
+        let feeds_through = wiring.connections.iter().any(|c| {
+            let unit = wiring.units.get(c.from.unit);
+            let variable = unit.and_then(|u| u.variables().get(c.from.variable));
+            variable.is_some_and(|v| !v.feedthrough.is_empty())
+        });
+        let at_once = algorithm == Algorithm::Jacobi && !feeds_through;
+        let mut master = Self::assemble(wiring, grid, sampled, in_order)?;
+        if at_once {
+            master.schedule = Schedule::AtOnce;
+        }
+        if algorithm == Algorithm::Jacobi {
+            let inputs = master.cells.iter_mut().flat_map(|c| &mut c.inputs);
+            inputs.for_each(|i| i.timing = Timing::Sampled);
+        }
+        master.initialise()?;
+        Ok(master)
+    }
+
+    fn assemble(
+        wiring: Wiring,
+        grid: Grid,
+        sampled: Vec<usize>,
+        in_order: Vec<usize>,
+    ) -> Result<Self> {
+        let Wiring { units, connections, held, outages } = wiring;
+        let mut cells: Vec<Cell> = units
+            .into_iter()
+            .map(|unit| Cell { unit, outputs: Vec::new(), inputs: Vec::new(), outages: Vec::new() })
+            .collect();
+        for (place, steps) in outages {
+            if let Some(cell) = cells.get_mut(place) {
+                cell.outages = steps;
+            }
+        }
+        let mut places = Vec::with_capacity(connections.len());
+        for c in connections {
+            let slot = cells.get_mut(c.from.unit).map_or(0, |source| {
+                let known = source.outputs.iter().position(|o| *o == c.from.variable);
+                known.unwrap_or_else(|| {
+                    source.outputs.push(c.from.variable);
+                    source.outputs.len() - 1
+                })
+            });
+            if let Some(target) = cells.get_mut(c.to.unit) {
+                places.push((c.to.unit, target.inputs.len()));
+                target.inputs.push(Input {
+                    variable: c.to.variable,
+                    from: c.from,
+                    slot,
+                    timing: c.timing,
+                    link: c.link,
+                });
+            }
+        }
+        let sampled = sampled.into_iter().filter_map(|c| places.get(c).copied()).collect();
+        for (port, value) in held {
+            if let Some(cell) = cells.get_mut(port.unit) {
+                cell.unit.set(port.variable, &value)?;
+            }
+        }
+        let blank: Vec<Vec<Value>> =
+            cells.iter().map(|c| vec![Value::Boolean(false); c.outputs.len()]).collect();
+        let schedule = Schedule::InOrder { sampled, units: in_order };
+        let fresh = vec![true; cells.len()];
+        let outages = cells.iter().any(|c| !c.outages.is_empty());
+        Ok(Self { grid, cells, sent: blank, fresh, outages, schedule })
+    }
+
+    fn initialise(&mut self) -> Result<()> {
+        let grid = &self.grid;
+        for (cell, sent) in self.cells.iter_mut().zip(&mut self.sent) {
+            cell.unit.initialise(grid)?;
+            cell.send(sent, grid, 0)?;
+        }
+        for cell in &mut self.cells {
+            for input in &cell.inputs {
+                if let Some(value) = self.sent.get(input.from.unit).and_then(|s| s.get(input.slot))
+                {
+                    cell.unit.set(input.variable, value)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The grid.
+    pub fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    /// The present value of a variable.
+    ///
+    /// # Errors
+    /// There is no such variable.
+    pub fn value(&self, port: Port) -> Result<Value> {
+        match self.cells.get(port.unit) {
+            Some(cell) => Ok(cell.unit.get(port.variable)?),
+            None => Err(Error::input(format!(
+                "unit number {}: expected one of the {} units",
+                port.unit,
+                self.cells.len()
+            ))),
+        }
+    }
+
+    /// The present value of a number, as a double.
+    ///
+    /// # Errors
+    /// There is no such variable, it is no number, or it is not finite at grid point `step`.
+    pub fn number(&self, port: Port, step: u64) -> Result<f64> {
+        let value = self.value(port)?;
+        let x = value.to_f64().unwrap_or(f64::NAN);
+        if x.is_finite() {
+            return Ok(x);
+        }
+        match self.cells.get(port.unit) {
+            Some(cell) => {
+                Err(not_finite(cell.unit.as_ref(), port.variable, &value, &self.grid, step).into())
+            }
+            None => Err(Error::input("expected a unit")),
+        }
+    }
+
+    /// Runs along the whole grid. `observe` is called at every grid point, the first and the
+    /// last included.
+    ///
+    /// # Errors
+    /// A unit fails, sends a number that is not finite, or `observe` fails.
+    pub fn run(&mut self, mut observe: impl FnMut(&Self, u64) -> Result<()>) -> Result<()> {
+        let last = self.grid.steps();
+        for step in 0..=last {
+            self.sample(step)?;
+            observe(self, step)?;
+            if step < last {
+                self.advance(step)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Carries the sampled values, unless all of it happens at once in [`Self::advance`].
+    fn sample(&mut self, step: u64) -> Result<()> {
+        let Schedule::InOrder { sampled, .. } = &self.schedule else {
+            return Ok(());
+        };
+        for &(unit, place) in sampled {
+            carry_live(&mut self.cells, unit, place, &self.grid, step)?;
+        }
+        Ok(())
+    }
+
+    fn advance(&mut self, step: u64) -> Result<()> {
+        match &self.schedule {
+            Schedule::AtOnce => self.advance_at_once(step),
+            Schedule::InOrder { units, .. } => {
+                for &unit in units {
+                    let immediate: Vec<usize> =
+                        self.cells.get(unit).map_or_else(Vec::new, |cell| {
+                            let inputs = cell.inputs.iter().enumerate();
+                            let immediate = inputs.filter(|(_, i)| i.timing == Timing::Immediate);
+                            immediate.map(|(place, _)| place).collect()
+                        });
+                    for place in immediate {
+                        carry_live(&mut self.cells, unit, place, &self.grid, step)?;
+                    }
+                    if let Some(cell) = self.cells.get_mut(unit) {
+                        cell.step(&self.grid, step)?;
+                    }
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// Jacobi without feedthrough: every unit reads the values of the present grid point and
+    /// steps; then all of them leave those of the next. No unit sees another's work, so that
+    /// the result does not depend on the number of threads.
+    fn advance_at_once(&mut self, step: u64) -> Result<()> {
+        let (grid, sent, fresh) = (&self.grid, &self.sent, &self.fresh);
+        let down: Vec<bool> = match self.outages {
+            true => self.cells.iter().map(|c| c.is_down(step)).collect(),
+            false => Vec::new(),
+        };
+        for_each(&mut self.cells, &mut vec![(); fresh.len()], |cell, ()| {
+            cell.receive(sent, fresh, &down, step)?;
+            cell.step(grid, step)
+        })?;
+        let fresh = &mut self.fresh;
+        let mut slots: Vec<_> = self.sent.iter_mut().zip(fresh).collect();
+        // Where units drop out, an input may not have what its source last sent.
+        let always = self.outages;
+        for_each(&mut self.cells, &mut slots, |cell, (sent, fresh)| {
+            **fresh = always || cell.unit.moved();
+            if **fresh { cell.send(sent, grid, step + 1) } else { Ok(()) }
+        })
+    }
+}
+
+/// Does the work on every unit, on several threads where there are many; the first error in
+/// the units' order.
+fn for_each<T: Send>(
+    cells: &mut [Cell],
+    others: &mut [T],
+    work: impl Fn(&mut Cell, &mut T) -> Result<(), UnitError> + Sync,
+) -> Result<()> {
+    if cells.len() < PARALLEL_FROM {
+        cells.iter_mut().zip(others).try_for_each(|(c, o)| work(c, o))?;
+    } else {
+        let pairs = cells.par_iter_mut().zip(others).with_min_len(64);
+        let failed = pairs.map(|(c, o)| work(c, o)).find_first(Result::is_err);
+        failed.unwrap_or(Ok(()))?;
+    }
+    Ok(())
+}
+
+impl Cell {
+    fn is_down(&self, step: u64) -> bool {
+        self.outages.iter().any(|steps| steps.contains(&step))
+    }
+
+    fn step(&mut self, grid: &Grid, step: u64) -> Result<(), UnitError> {
+        if self.is_down(step) { Ok(()) } else { self.unit.do_step(grid, step) }
+    }
+
+    /// Sets the inputs from what the units have sent.
+    fn receive(
+        &mut self,
+        sent: &[Vec<Value>],
+        fresh: &[bool],
+        down: &[bool],
+        step: u64,
+    ) -> Result<(), UnitError> {
+        if self.is_down(step) {
+            return Ok(());
+        }
+        for input in &mut self.inputs {
+            // It has the value already.
+            if input.link.is_none() && fresh.get(input.from.unit) == Some(&false) {
+                continue;
+            }
+            let Some(value) = sent.get(input.from.unit).and_then(|s| s.get(input.slot)) else {
+                continue;
+            };
+            let silent = down.get(input.from.unit).copied().unwrap_or(false);
+            deliver(self.unit.as_mut(), input, value, silent, step)?;
+        }
+        Ok(())
+    }
+
+    /// Puts the connected outputs into `sent`.
+    fn send(&self, sent: &mut [Value], grid: &Grid, step: u64) -> Result<(), UnitError> {
+        for (&variable, slot) in self.outputs.iter().zip(sent) {
+            *slot = finite(self.unit.as_ref(), variable, grid, step)?;
+        }
+        Ok(())
+    }
+}
+
+/// Carries the present value of an input's source to the input.
+fn carry_live(
+    cells: &mut [Cell],
+    unit: usize,
+    place: usize,
+    grid: &Grid,
+    step: u64,
+) -> Result<(), UnitError> {
+    let Some(from) = cells.get(unit).and_then(|c| c.inputs.get(place)).map(|i| i.from) else {
+        return Ok(());
+    };
+    let Some(source) = cells.get(from.unit) else {
+        return Ok(());
+    };
+    let value = finite(source.unit.as_ref(), from.variable, grid, step)?;
+    let silent = source.is_down(step);
+    match cells.get_mut(unit) {
+        Some(cell) if !cell.is_down(step) => match cell.inputs.get_mut(place) {
+            Some(input) => deliver(cell.unit.as_mut(), input, &value, silent, step),
+            None => Ok(()),
+        },
+        _ => Ok(()),
+    }
+}
+
+/// Gives an input a value, unless it is lost on the way.
+fn deliver(
+    unit: &mut dyn Unit,
+    input: &mut Input,
+    value: &Value,
+    silent: bool,
+    step: u64,
+) -> Result<(), UnitError> {
+    match (&mut input.link, silent) {
+        (_, true) => unit.lost(input.variable),
+        (None, false) => unit.set(input.variable, value)?,
+        (Some(link), false) => match link.carry(step, value) {
+            Some(arrived) => unit.set(input.variable, &arrived)?,
+            None => unit.lost(input.variable),
+        },
+    }
+    Ok(())
+}
+
+/// An output's value, which is refused where it is no finite number.
+fn finite(unit: &dyn Unit, variable: usize, grid: &Grid, step: u64) -> Result<Value, UnitError> {
+    let value = unit.get(variable)?;
+    match value {
+        Value::Real(x) if !x.is_finite() => Err(not_finite(unit, variable, &value, grid, step)),
+        value => Ok(value),
+    }
+}
+
+fn not_finite(
+    unit: &dyn Unit,
+    variable: usize,
+    value: &Value,
+    grid: &Grid,
+    step: u64,
+) -> UnitError {
+    let digits = if grid.tau().denom().to_u64() == Some(1) { 0 } else { 3 };
+    let time = decimal_string(&grid.time(step), digits);
+    at_variable(unit, variable, format!("`{value}` at {time} s: expected a finite number"))
+}

@@ -1,0 +1,137 @@
+//! Exact fractions that are not brought to lowest terms.
+
+use std::fmt;
+use std::sync::Arc;
+
+use cordon_spec::Scalar;
+use num_bigint::{BigInt, BigUint};
+use num_integer::Integer;
+use num_traits::One;
+
+use cordon_core::exact::{self, Rational};
+use cordon_core::scalar::ring_operators;
+
+/// An exact fraction, cheap to clone, with whatever positive denominator the computation has
+/// led to.
+///
+/// The units of a swarm multiply by the same few constants step after step, so that their
+/// denominators are equal, or divide one another, and reducing every result (as
+/// [`Rational`] does) would cost far more than it saves. Equality is that of the numbers.
+#[derive(Clone, Debug)]
+pub struct Quotient(Arc<Terms>);
+
+#[derive(Debug)]
+struct Terms {
+    num: BigInt,
+    /// Positive.
+    den: BigUint,
+}
+
+impl Quotient {
+    fn new(num: BigInt, den: BigUint) -> Self {
+        Self(Arc::new(Terms { num, den }))
+    }
+
+    /// The number in lowest terms.
+    pub fn to_rational(&self) -> Rational {
+        Rational::new(self.0.num.clone(), self.0.den.clone().into())
+    }
+
+    /// The nearest double, ties to even.
+    pub fn to_f64(&self) -> f64 {
+        exact::to_f64(&Rational::new_raw(self.0.num.clone(), self.0.den.clone().into()))
+    }
+
+    /// `double(numerator)/double(denominator)` of the fraction in lowest terms: three
+    /// roundings, as the recorded runs have them.
+    pub fn to_f64_by_terms(&self) -> f64 {
+        let x = self.to_rational();
+        let double = |n: &BigInt| exact::to_f64(&Rational::from_integer(n.clone()));
+        double(x.numer()) / double(x.denom())
+    }
+
+    /// The distance of a double from this number, rounded once; infinite where the double is
+    /// not finite.
+    pub fn distance_from(&self, x: f64) -> f64 {
+        let Some(x) = Self::from_f64(x) else {
+            return f64::INFINITY;
+        };
+        // Over the product of the denominators: looking for a smaller one would cost more.
+        let (a, b) = (&*self.0, &*x.0);
+        let scaled = |num: &BigInt, den: &BigUint| num * BigInt::from(den.clone());
+        let num = scaled(&a.num, &b.den) - scaled(&b.num, &a.den);
+        Self::new(num, &a.den * &b.den).to_f64().abs()
+    }
+
+    /// The exact number that a double is; `None` where it is not finite.
+    pub fn from_f64(x: f64) -> Option<Self> {
+        Rational::from_float(x).map(|r| Self::from(&r))
+    }
+}
+
+impl From<&Rational> for Quotient {
+    fn from(x: &Rational) -> Self {
+        Self::new(x.numer().clone(), x.denom().magnitude().clone())
+    }
+}
+
+impl fmt::Display for Quotient {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.to_rational().fmt(f)
+    }
+}
+
+impl PartialEq for Quotient {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0) || {
+            let scaled = |num: &BigInt, den: &BigUint| num * BigInt::from(den.clone());
+            scaled(&self.0.num, &other.0.den) == scaled(&other.0.num, &self.0.den)
+        }
+    }
+}
+
+impl Eq for Quotient {}
+
+/// Both numerators over one denominator, which is multiplied only where it has to be.
+fn combined(
+    a: &Quotient,
+    b: &Quotient,
+    operation: impl Fn(&BigInt, &BigInt) -> BigInt,
+) -> Quotient {
+    let (a, b) = (&*a.0, &*b.0);
+    if a.den == b.den {
+        return Quotient::new(operation(&a.num, &b.num), a.den.clone());
+    }
+    let times = |num: &BigInt, factor: BigUint| num * BigInt::from(factor);
+    let (small, large) = if a.den < b.den { (a, b) } else { (b, a) };
+    let (factor, rest) = large.den.div_rem(&small.den);
+    if rest == BigUint::default() {
+        let (x, y) = if a.den < b.den {
+            (times(&a.num, factor), b.num.clone())
+        } else {
+            (a.num.clone(), times(&b.num, factor))
+        };
+        return Quotient::new(operation(&x, &y), large.den.clone());
+    }
+    let common = a.den.lcm(&b.den);
+    let x = times(&a.num, &common / &a.den);
+    let y = times(&b.num, &common / &b.den);
+    Quotient::new(operation(&x, &y), common)
+}
+
+fn product(a: &Quotient, b: &Quotient) -> Quotient {
+    Quotient::new(&a.0.num * &b.0.num, &a.0.den * &b.0.den)
+}
+
+ring_operators!(
+    Quotient,
+    |a: Quotient, b: &Quotient| combined(&a, b, |x, y| x + y),
+    |a: Quotient, b: &Quotient| combined(&a, b, |x, y| x - y),
+    |a: Quotient, b: &Quotient| product(&a, b)
+);
+
+impl Scalar for Quotient {
+    fn from_int(n: i32) -> Self {
+        Self::new(n.into(), BigUint::one())
+    }
+}

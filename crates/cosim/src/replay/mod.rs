@@ -1,0 +1,128 @@
+//! A run as one self-contained HTML page: no server, no network, nothing to install.
+
+use serde_json::{Value, json};
+
+use crate::collision::{Event, Sample, Watch};
+use crate::plant::Integrator;
+use crate::record::Record;
+use cordon_core::Result;
+use cordon_core::exact;
+
+const PAGE: &str = include_str!("page.html");
+const STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
+
+/// Most positions of a page: a browser draws them without stutter.
+const MAX_POSITIONS: usize = 400_000;
+
+/// The page of a run.
+///
+/// Positions are rounded to a hundredth of a millimetre, and long runs are thinned; events
+/// are those of the whole run.
+///
+/// # Errors
+/// The run cannot be written as JSON.
+pub fn page(record: &Record) -> Result<String> {
+    let title = escaped(&record.title);
+    let run = data(record).to_string();
+    // Within a script element only this could end it.
+    let run = run.replace('<', "\\u003c");
+    let parts =
+        [("@TITLE@", title.as_str()), ("@STYLE@", STYLE), ("@SCRIPT@", SCRIPT), ("@RUN@", &run)];
+    Ok(filled(PAGE, &parts))
+}
+
+/// The template with its marks replaced, in one pass: what is filled in is not read again.
+fn filled(template: &str, parts: &[(&str, &str)]) -> String {
+    let mut page = String::new();
+    let mut rest = template;
+    loop {
+        let found = parts.iter().filter_map(|(mark, text)| Some((rest.find(mark)?, mark, text)));
+        let Some((place, mark, text)) = found.min_by_key(|(place, ..)| *place) else {
+            page.push_str(rest);
+            return page;
+        };
+        page.push_str(rest.get(..place).unwrap_or_default());
+        page.push_str(text);
+        rest = rest.get(place + mark.len()..).unwrap_or_default();
+    }
+}
+
+fn data(record: &Record) -> Value {
+    let every = (record.rows() * record.count * 2).div_ceil(MAX_POSITIONS).max(1);
+    let last = record.rows().saturating_sub(1);
+    let rows: Vec<usize> = (0..=last).filter(|row| row % every == 0 || *row == last).collect();
+    let rounded = |x: &f64| (x * 1e5).round() / 1e5;
+    let positions = |of: &dyn Fn(usize) -> Vec<f64>| -> Vec<Vec<f64>> {
+        rows.iter().map(|row| of(*row)).collect()
+    };
+    let events = match &record.events {
+        Some(events) => events.clone(),
+        None => looked_for(record),
+    };
+    let events: Vec<_> = events
+        .iter()
+        .map(|e| json!({ "time": e.time, "kind": e.kind.name(), "drones": [e.drones.0, e.drones.1] }))
+        .collect();
+    json!({
+        "drones": record.count,
+        "setup": setup(record, every),
+        "segment": record.setup.as_ref().and_then(|s| {
+            let (min, max) = s.segment.as_ref()?;
+            Some([exact::to_f64(min), exact::to_f64(max)])
+        }),
+        "time": rows.iter().filter_map(|row| record.times.get(*row)).collect::<Vec<_>>(),
+        "desired": positions(&|row| record.desired_at(row).iter().map(rounded).collect()),
+        "actual": positions(&|row| record.actual_at(row).iter().map(rounded).collect()),
+        "events": events,
+    })
+}
+
+/// Events of a run that comes without them: on straight lines from sample to sample, all that
+/// samples alone can tell.
+fn looked_for(record: &Record) -> Vec<Event> {
+    let mut events = Vec::new();
+    let rows = || record.times.iter().enumerate();
+    // Samples need not be equidistant: one watch a pair of them would lose the order in
+    // between, so time is counted in samples and translated afterwards.
+    let mut watch = Watch::new(Integrator::Euler, 1.0);
+    for (row, _) in rows() {
+        let samples: Vec<_> =
+            record.actual_at(row).iter().map(|x| Sample { x: *x, ..Sample::default() }).collect();
+        watch.next((row as f64 - 1.0).max(0.0), &samples);
+    }
+    for event in watch.finish() {
+        let row = event.time.floor();
+        let share = event.time - row;
+        // A row number: not negative, and no larger than the record.
+        let row = row as usize;
+        let here = record.times.get(row).copied().unwrap_or_default();
+        let next = record.times.get(row + 1).copied().unwrap_or(here);
+        events.push(Event { time: here + share * (next - here), ..event });
+    }
+    events
+}
+
+fn setup(record: &Record, every: usize) -> String {
+    let mut text = match &record.setup {
+        Some(s) => format!(
+            "{}, {} drones, eps = {}, an update every {} of {} s; {} plant, {} master",
+            s.protocol,
+            record.count,
+            s.weight,
+            if s.period == 1 { "tick".to_owned() } else { format!("{} ticks", s.period) },
+            s.tau,
+            s.integrator,
+            s.master
+        ),
+        None => format!("{} drones", record.count),
+    };
+    if every > 1 {
+        text.push_str(&format!("; every {every}th sample is shown"));
+    }
+    text
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}

@@ -1,0 +1,71 @@
+//! Running a swarm and keeping what happened.
+
+use super::collision::{Sample, Watch};
+use super::coordination::Slot;
+use super::physics::Body;
+use super::plant::{Integrator, var};
+use super::record::Record;
+use super::swarm::Swarm;
+use super::wiring::Port;
+use cordon_core::{Error, Result};
+
+/// Most numbers of one record, half a gigabyte of doubles.
+const MAX_NUMBERS: u128 = 1 << 26;
+
+/// Runs a swarm from its start to its end. `progress` is told every grid point.
+///
+/// # Errors
+/// The swarm cannot be wired, a unit fails or sends a number that is not finite, or the
+/// record would be too large.
+pub fn run(swarm: &Swarm, mut progress: impl FnMut(u64)) -> Result<Record> {
+    let count = swarm.count();
+    let rows = u128::from(swarm.grid.steps()) + 1;
+    if rows * count as u128 * 2 > MAX_NUMBERS {
+        return Err(Error::input(format!(
+            "duration: {count} drones at {rows} grid points: expected at most {} positions",
+            MAX_NUMBERS
+        )));
+    }
+    let mut master = swarm.master()?;
+    // The limit above is far below what a usize holds.
+    let numbers = usize::try_from(rows).unwrap_or_default() * count;
+    let mut record = Record {
+        title: swarm.scenario.title.clone(),
+        count,
+        times: Vec::with_capacity(numbers / count.max(1)),
+        desired: Vec::with_capacity(numbers),
+        actual: Vec::with_capacity(numbers),
+        events: None,
+        setup: Some(swarm.setup()),
+    };
+    let desired = (0..count).map(|i| swarm.port(i, Slot::Desired)).collect::<Result<Vec<_>>>()?;
+    let mut watch = Watch::new(swarm.integrator, swarm.grid.tau_f64());
+    let gravity = Body::default().gravity;
+    let mut samples = vec![Sample::default(); count];
+    let mut accumulated = 0.0;
+    master.run(|master, step| {
+        let last = record.times.last().copied().unwrap_or_default();
+        for (i, (sample, desired)) in samples.iter_mut().zip(&desired).enumerate() {
+            record.desired.push(master.number(*desired, step)?);
+            let plant = |variable| Port { unit: 3 * i + 2, variable };
+            let number = |variable| master.number(plant(variable), step);
+            sample.x = number(var::X)?;
+            // Euler's motion is a straight line between the positions.
+            if swarm.integrator == Integrator::Exact {
+                sample.v = number(var::VX)?;
+                sample.a = gravity * number(var::THETA)?;
+                sample.jerk = gravity * number(var::VTHETA)?;
+            }
+            record.actual.push(sample.x);
+        }
+        // The recorded runs added up their time in doubles.
+        let time = if swarm.recorded { accumulated } else { master.grid().time_f64(step) };
+        accumulated += master.grid().tau_f64();
+        record.times.push(time);
+        watch.next(last, &samples);
+        progress(step);
+        Ok(())
+    })?;
+    record.events = Some(watch.finish());
+    Ok(record)
+}

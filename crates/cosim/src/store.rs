@@ -1,0 +1,121 @@
+//! Recorded runs as files: written whole or not at all, refused where they are damaged.
+
+mod csv;
+mod json;
+#[cfg(feature = "parquet")]
+mod parquet;
+
+use std::io::Write;
+use std::path::Path;
+
+use super::record::Record;
+use cordon_core::{Error, Result, files};
+
+pub use csv::csv;
+pub use json::json;
+
+/// A form of a run file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Comma-separated values: time, desired and actual positions
+    Csv,
+    /// JSON, schema cordon-cosim/1, with collisions and violations of the order
+    Json,
+    /// Apache Parquet, the columns of the CSV (needs the cargo feature `parquet`)
+    Parquet,
+}
+
+impl Format {
+    /// The form that a file's name says; CSV where it says none.
+    pub fn of(path: &Path) -> Self {
+        match path.extension().and_then(|e| e.to_str()) {
+            Some("json") => Self::Json,
+            Some("parquet") => Self::Parquet,
+            _ => Self::Csv,
+        }
+    }
+}
+
+/// Writes a record into a stream.
+///
+/// # Errors
+/// The stream cannot be written, or the form needs a feature that this build lacks.
+pub fn write(record: &Record, format: Format, out: &mut dyn Write) -> Result<()> {
+    match format {
+        Format::Csv => csv(record, out),
+        Format::Json => json(record, out),
+        Format::Parquet => columns(record, out),
+    }
+}
+
+#[cfg(feature = "parquet")]
+fn columns(record: &Record, out: &mut dyn Write) -> Result<()> {
+    parquet::parquet(record, out)
+}
+
+#[cfg(not(feature = "parquet"))]
+fn columns(_: &Record, _: &mut dyn Write) -> Result<()> {
+    Err(Error::input(
+        "format: `parquet`: expected `csv` or `json`: this build has no Parquet; \
+         `cargo build --features parquet` makes one that has",
+    ))
+}
+
+/// Writes a record into a file, which appears whole or not at all.
+///
+/// # Errors
+/// As for [`write()`].
+pub fn save(record: &Record, format: Format, path: &Path) -> Result<()> {
+    files::write_whole(path, |file| write(record, format, file))
+}
+
+/// Reads a run file in CSV or JSON.
+///
+/// # Errors
+/// The file cannot be read, or is no whole run: the message names it and says where.
+pub fn load(path: &Path) -> Result<Record> {
+    let name = path.display().to_string();
+    match Format::of(path) {
+        Format::Csv => csv::parse(&name, &files::read_text(path)?),
+        Format::Json => json::parse(&name, &files::read_text(path)?),
+        Format::Parquet => Err(Error::input(format!(
+            "`{name}`: expected a run file in CSV or JSON; Parquet is written only"
+        ))),
+    }
+}
+
+/// What every record that is read has to meet.
+fn check(name: &str, record: &Record) -> Result<()> {
+    let fail = |what: String| Err(Error::input(format!("`{name}`: {what}")));
+    if record.count < 2 || record.rows() < 2 {
+        return fail(format!(
+            "{} drones at {} times: expected at least 2 of each",
+            record.count,
+            record.rows()
+        ));
+    }
+    let numbers = record.rows() * record.count;
+    if record.desired.len() != numbers || record.actual.len() != numbers {
+        return fail(format!(
+            "{} desired and {} actual positions: expected {numbers} of each, {} drones at {} times",
+            record.desired.len(),
+            record.actual.len(),
+            record.count,
+            record.rows()
+        ));
+    }
+    let not_finite = |x: &f64| !x.is_finite();
+    for (what, numbers) in
+        [("time", &record.times), ("desired", &record.desired), ("actual", &record.actual)]
+    {
+        if let Some(place) = numbers.iter().position(not_finite) {
+            let row = if what == "time" { place } else { place / record.count };
+            return fail(format!("{what} at row {row}: expected a finite number"));
+        }
+    }
+    let pairs = record.times.windows(2);
+    match pairs.zip(1..).find(|(pair, _)| matches!(pair, [a, b] if a >= b)) {
+        Some((_, row)) => fail(format!("time at row {row}: expected more than the row before")),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,144 @@
+//! Runs as JSON, schema `cordon-cosim/1`.
+
+use std::io::Write;
+
+use serde::{Deserialize, Serialize};
+
+use crate::collision::{Event, EventKind};
+use crate::record::{Record, Setup};
+use cordon_core::exact;
+use cordon_core::{Error, Result};
+
+const SCHEMA: &str = "cordon-cosim/1";
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Page {
+    schema: String,
+    title: String,
+    setup: Option<SetupPage>,
+    drones: usize,
+    time: Vec<f64>,
+    desired: Vec<Vec<f64>>,
+    actual: Vec<Vec<f64>>,
+    events: Option<Vec<EventPage>>,
+}
+
+/// Exact numbers are text: fractions.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SetupPage {
+    protocol: String,
+    segment: Option<(String, String)>,
+    weight: String,
+    period: u32,
+    tau: String,
+    integrator: String,
+    master: String,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct EventPage {
+    time: f64,
+    kind: String,
+    drones: (usize, usize),
+}
+
+/// Writes one object: what was run, one list of positions a grid point, the events.
+///
+/// # Errors
+/// `out` cannot be written.
+pub fn json(record: &Record, out: &mut dyn Write) -> Result<()> {
+    let page = Page {
+        schema: SCHEMA.to_owned(),
+        title: record.title.clone(),
+        setup: record.setup.as_ref().map(setup_page),
+        drones: record.count,
+        time: record.times.clone(),
+        desired: (0..record.rows()).map(|row| record.desired_at(row).to_vec()).collect(),
+        actual: (0..record.rows()).map(|row| record.actual_at(row).to_vec()).collect(),
+        events: record.events.as_ref().map(|events| events.iter().map(event_page).collect()),
+    };
+    serde_json::to_writer(&mut *out, &page).map_err(std::io::Error::from)?;
+    writeln!(out)?;
+    Ok(())
+}
+
+fn setup_page(s: &Setup) -> SetupPage {
+    SetupPage {
+        protocol: s.protocol.clone(),
+        segment: s.segment.as_ref().map(|(min, max)| (min.to_string(), max.to_string())),
+        weight: s.weight.to_string(),
+        period: s.period,
+        tau: s.tau.to_string(),
+        integrator: s.integrator.clone(),
+        master: s.master.clone(),
+    }
+}
+
+fn event_page(e: &Event) -> EventPage {
+    EventPage { time: e.time, kind: e.kind.name().to_owned(), drones: e.drones }
+}
+
+/// Reads what [`json`] writes. `name` stands for the file in messages.
+pub(super) fn parse(name: &str, text: &str) -> Result<Record> {
+    let fail = |what: String| Error::input(format!("`{name}`: {what}"));
+    let page: Page = serde_json::from_str(text)
+        .map_err(|e| fail(format!("{e}: expected a whole run, schema {SCHEMA}")))?;
+    if page.schema != SCHEMA {
+        return Err(fail(format!("schema: `{}`: expected `{SCHEMA}`", page.schema)));
+    }
+    let flat = |what: &str, rows: Vec<Vec<f64>>| -> Result<Vec<f64>> {
+        match rows.iter().position(|row| row.len() != page.drones) {
+            Some(row) => Err(fail(format!(
+                "{what} at row {row}: expected one position for each of the {} drones",
+                page.drones
+            ))),
+            None => Ok(rows.concat()),
+        }
+    };
+    let events = page.events.map(|events| {
+        events.into_iter().map(|e| event(e, page.drones).map_err(fail)).collect::<Result<_>>()
+    });
+    let record = Record {
+        title: page.title,
+        count: page.drones,
+        times: page.time,
+        desired: flat("desired", page.desired)?,
+        actual: flat("actual", page.actual)?,
+        events: events.transpose()?,
+        setup: page.setup.map(|s| setup(s).map_err(|e| fail(e.to_string()))).transpose()?,
+    };
+    super::check(name, &record)?;
+    Ok(record)
+}
+
+fn event(e: EventPage, count: usize) -> Result<Event, String> {
+    let kind = EventKind::named(&e.kind).ok_or_else(|| {
+        format!("events: `{}`: expected `collision`, `order-lost` or `order-restored`", e.kind)
+    })?;
+    let (i, j) = e.drones;
+    if i >= j || j >= count || !e.time.is_finite() {
+        return Err(format!(
+            "events: drones `{i}` and `{j}`: expected two of the {count} drones, smaller number first"
+        ));
+    }
+    Ok(Event { time: e.time, drones: e.drones, kind })
+}
+
+fn setup(s: SetupPage) -> Result<Setup> {
+    let segment = match s.segment {
+        Some((min, max)) => Some((exact::parse("segment", &min)?, exact::parse("segment", &max)?)),
+        None => None,
+    };
+    Ok(Setup {
+        segment,
+        weight: exact::parse("weight", &s.weight)?,
+        tau: exact::parse("tau", &s.tau)?,
+        protocol: s.protocol,
+        period: s.period,
+        integrator: s.integrator,
+        master: s.master,
+    })
+}

@@ -1,0 +1,423 @@
+//! A swarm at the user's level, turned into 3 N units and their connections.
+
+use cordon_spec::graph::Graph;
+use num_traits::Signed;
+
+use super::control::{self, Control, Gains};
+use super::coordination::{Coordination, Exchange, Law, OnLoss, Settings, Slot};
+use super::faults;
+use super::grid::Grid;
+use super::master::{Algorithm, Master};
+use super::plant::{self, Integrator, Plant};
+use super::record::Setup;
+use super::unit::{Unit, UnitError, Value};
+use super::wiring::{Port, Timing, Wiring};
+use cordon_core::exact::{self, Rational};
+use cordon_core::{Error, Result};
+use cordon_run::scenario::{Fault, Flight, Protocol, Scenario, Substitute, UnitName};
+
+/// A checked co-simulation scenario.
+#[derive(Clone, Debug)]
+pub struct Swarm {
+    /// The protocol, its parameters and the desired start.
+    pub scenario: Scenario,
+    /// When the units meet.
+    pub grid: Grid,
+    /// Where the drones are at the start, in m.
+    pub start: Vec<Rational>,
+    /// Gain lambda_P in 1/s.
+    pub lambda_p: Rational,
+    /// Gain lambda_A in 1/s.
+    pub lambda_a: Rational,
+    /// Wanted height in m.
+    pub z_d: Rational,
+    /// Integrator of the plants.
+    pub integrator: Integrator,
+    /// How values travel within a step.
+    pub algorithm: Algorithm,
+    /// How positions travel between drones.
+    pub exchange: Exchange,
+    /// What a drone does where a message was lost.
+    pub on_loss: OnLoss,
+    /// What goes wrong.
+    pub faults: Vec<Fault>,
+    /// FMUs in the place of units.
+    pub units: Vec<Substitute>,
+    /// What loads them.
+    pub load: Loader,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// The arithmetic of the recorded runs, to the last bit.
+    pub recorded: bool,
+}
+
+/// Loads an FMU in the place of a unit: the answer has the unit's name and variables.
+pub type Loader = fn(&Substitute, Box<dyn Unit>) -> Result<Box<dyn Unit>>;
+
+/// Where nothing can load FMUs.
+fn no_loader(substitute: &Substitute, unit: Box<dyn Unit>) -> Result<Box<dyn Unit>> {
+    Err(Error::input(format!(
+        "unit `{}`: `{}`: expected a unit of this program: nothing loads FMUs here",
+        unit.name(),
+        substitute.fmu.display()
+    )))
+}
+
+/// Defaults of the paper's runs: seconds a tick as a fraction, seconds of a run, gains.
+const TAU: (i32, i32) = (1, 20);
+const DURATION: i32 = 25;
+const LAMBDA_P: (i32, i32) = (2, 5);
+const LAMBDA_A: i32 = 4;
+const Z_D: i32 = 1;
+
+fn fraction((num, den): (i32, i32)) -> Rational {
+    Rational::new(num.into(), den.into())
+}
+
+impl Swarm {
+    /// Checks what a scenario says about flying; what it does not say is as in the paper's
+    /// runs (tau 0.05 s, 25 s, lambda_P 0.4, lambda_A 4, Euler, Jacobi).
+    ///
+    /// # Errors
+    /// A contradictory or senseless field, by name.
+    pub fn new(scenario: Scenario, flight: Flight) -> Result<Self> {
+        let tau = scenario.tau.clone().unwrap_or_else(|| fraction(TAU));
+        let grid = match &flight.duration {
+            Some(duration) => Grid::lasting(duration, tau)?,
+            // As many whole steps as there are.
+            None => {
+                let steps = (Rational::from_integer(DURATION.into()) / &tau).to_integer();
+                Grid::new(tau, u64::try_from(steps).unwrap_or(u64::MAX))?
+            }
+        };
+        let count = scenario.count();
+        let start = flight.start.unwrap_or_else(|| scenario.start.clone());
+        if start.len() != count {
+            return Err(Error::input(format!(
+                "flight.start: {} positions given: expected one for each of the {count} drones",
+                start.len()
+            )));
+        }
+        let positive = |name: &str, gain: Option<Rational>, default: Rational| match gain {
+            None => Ok(default),
+            Some(gain) if gain.is_positive() => Ok(gain),
+            Some(gain) => {
+                Err(Error::input(format!("{name}: `{gain}`: expected a positive number")))
+            }
+        };
+        let whole = |n: i32| Rational::from_integer(n.into());
+        Ok(Self {
+            lambda_p: positive("lambda_P", flight.lambda_p, fraction(LAMBDA_P))?,
+            lambda_a: positive("lambda_A", flight.lambda_a, whole(LAMBDA_A))?,
+            z_d: flight.z_d.unwrap_or_else(|| whole(Z_D)),
+            integrator: choice("integrator", flight.integrator, &["euler", "exact"], |n| {
+                Integrator::named(n)
+            })?,
+            algorithm: choice("master", flight.master, &["jacobi", "gauss-seidel"], |n| {
+                Algorithm::named(n)
+            })?,
+            exchange: choice("exchange", flight.exchange, &["exact", "double"], |n| match n {
+                "exact" => Some(Exchange::Exact),
+                "double" => Some(Exchange::Double),
+                _ => None,
+            })?,
+            on_loss: choice("on_loss", flight.on_loss, &["hold", "skip"], |n| match n {
+                "hold" => Some(OnLoss::HoldLast),
+                "skip" => Some(OnLoss::Skip),
+                _ => None,
+            })?,
+            faults: flight.faults,
+            units: flight.units,
+            load: no_loader,
+            seed: flight.seed.unwrap_or_default(),
+            recorded: false,
+            scenario,
+            grid,
+            start,
+        })
+    }
+
+    /// The same swarm in the arithmetic of the authors' recorded runs.
+    ///
+    /// # Errors
+    /// The recorded runs had another integrator, master or exchange than was asked for.
+    pub fn as_recorded(mut self) -> Result<Self> {
+        let expected = [
+            ("integrator", self.integrator.name(), Integrator::Euler.name()),
+            ("master", self.algorithm.name(), Algorithm::Jacobi.name()),
+        ];
+        for (field, found, wanted) in expected {
+            if found != wanted {
+                return Err(Error::input(format!(
+                    "{field}: `{found}`: expected `{wanted}` together with `--compat recorded`"
+                )));
+            }
+        }
+        self.exchange = Exchange::SixDigits;
+        self.recorded = true;
+        Ok(self)
+    }
+
+    /// The number of drones.
+    pub fn count(&self) -> usize {
+        self.scenario.count()
+    }
+
+    /// The coordination unit of a drone.
+    pub fn coordination(&self, drone: usize) -> Coordination {
+        Coordination::new(format!("coordination{drone}"), self.settings(drone, self.exchange))
+    }
+
+    fn settings(&self, drone: usize, exchange: Exchange) -> Settings {
+        let law = match &self.scenario.protocol {
+            Protocol::Coverage { min, max } => {
+                Law::Coverage { id: drone, count: self.count(), min: min.clone(), max: max.clone() }
+            }
+            Protocol::Consensus { .. } => Law::Consensus { neighbours: self.neighbours(drone) },
+            Protocol::Formation { displacement, .. } => Law::Formation {
+                neighbours: self.neighbours(drone),
+                displacement: displacement.get(drone).cloned().unwrap_or_default(),
+            },
+        };
+        Settings {
+            law,
+            weight: self.scenario.weight.clone(),
+            start: self.scenario.start.get(drone).cloned().unwrap_or_default(),
+            period: self.scenario.period,
+            phase: self.scenario.phase,
+            exchange,
+            on_loss: self.on_loss,
+        }
+    }
+
+    /// The coordination unit of a drone in a run whose every value is exact.
+    pub(super) fn exact_coordination(&self, drone: usize) -> Coordination {
+        let settings = self.settings(drone, Exchange::Exact);
+        Coordination::new(format!("coordination{drone}"), settings)
+    }
+
+    /// A variable of a drone's coordination unit.
+    ///
+    /// # Errors
+    /// The unit has no such variable.
+    pub fn port(&self, drone: usize, slot: Slot) -> Result<Port> {
+        port(&self.coordination(drone), drone, slot)
+    }
+
+    /// The exact desired position of a drone in a run whose every value is exact.
+    pub(super) fn exact_port(&self, drone: usize) -> Result<Port> {
+        port(&self.exact_coordination(drone), drone, Slot::Own)
+    }
+
+    /// The controller of a drone.
+    pub fn control(&self, drone: usize) -> Control {
+        let gains = Gains {
+            position: exact::to_f64(&self.lambda_p),
+            attitude: exact::to_f64(&self.lambda_a),
+        };
+        let control = Control::new(format!("control{drone}"), gains);
+        if self.recorded { control.as_recorded() } else { control }
+    }
+
+    /// The plant of a drone.
+    pub fn plant(&self, drone: usize) -> Plant {
+        let x = self.start.get(drone).map_or(0.0, exact::to_f64);
+        Plant::new(format!("plant{drone}"), [x, 0.0, 0.0], self.integrator)
+    }
+
+    /// The drones that a drone hears, in the order of its inputs; for coverage the end drones
+    /// have one only.
+    pub fn neighbours(&self, drone: usize) -> Vec<usize> {
+        match &self.scenario.protocol {
+            Protocol::Coverage { .. } => {
+                let before = drone.checked_sub(1);
+                let after = Some(drone + 1).filter(|&j| j < self.count());
+                before.into_iter().chain(after).collect()
+            }
+            Protocol::Consensus { graph } | Protocol::Formation { graph, .. } => {
+                graph.neighbourhood(drone).filter(|&j| graph.linked(drone, j)).collect()
+            }
+        }
+    }
+
+    /// The input at which a drone hears its `k`-th neighbour `j`.
+    fn input(&self, drone: usize, k: usize, j: usize) -> Slot {
+        match &self.scenario.protocol {
+            Protocol::Coverage { .. } => Slot::Heard(usize::from(j > drone)),
+            _ => Slot::Heard(k),
+        }
+    }
+
+    /// Units and connections: for drone i the coordination unit at `3 i`, the controller and
+    /// the plant after it.
+    ///
+    /// # Errors
+    /// A fault that does not fit the swarm, or an FMU that does not fit its place.
+    pub fn wiring(&self) -> Result<Wiring> {
+        let mut wiring = self.wired_here()?;
+        for substitute in &self.units {
+            let count = self.count();
+            if substitute.drone >= count {
+                return Err(Error::input(format!(
+                    "unit: drone {}: expected one of the {count} drones, from 0",
+                    substitute.drone
+                )));
+            }
+            let place = UnitName::ALL.iter().position(|u| *u == substitute.unit);
+            let place = 3 * substitute.drone + place.unwrap_or_default();
+            wiring.substitute(place, |unit| (self.load)(substitute, unit))?;
+        }
+        Ok(wiring)
+    }
+
+    /// Units of this program and their connections.
+    fn wired_here(&self) -> Result<Wiring> {
+        self.wired(&Body {
+            coordination: &|i| self.coordination(i),
+            control: &|i| Box::new(self.control(i)),
+            plant: &|i| Box::new(self.plant(i)),
+            desired: Slot::Desired,
+            state: control::var::STATE..control::var::ROTORS,
+            first_output: plant::var::X,
+            rotors: control::var::ROTORS..control::var::LAMBDA_P,
+            first_rotor: plant::var::ROTORS,
+            held: vec![
+                (control::var::X_D + 1, Value::Real(0.0)),
+                (control::var::Z_D, Value::Real(exact::to_f64(&self.z_d))),
+            ],
+        })
+    }
+
+    pub(super) fn wired(&self, body: &Body<'_>) -> Result<Wiring> {
+        let mut wiring = Wiring::default();
+        let count = self.count();
+        let mut coordination = Vec::with_capacity(count);
+        for i in 0..count {
+            let unit = (body.coordination)(i);
+            coordination.push(unit.clone());
+            wiring.add(Box::new(unit));
+            wiring.add((body.control)(i));
+            wiring.add((body.plant)(i));
+        }
+        let port = |drone: usize, slot: Slot| -> Result<Port> {
+            let unit = coordination.get(drone);
+            let missing = || Error::input(format!("drone `{drone}`: expected 0 to {}", count - 1));
+            port(unit.ok_or_else(missing)?, drone, slot)
+        };
+        let faults = faults::Plan::new(&self.faults, self.seed, count, &self.grid)?;
+        faults.check_links(|i, j| self.neighbours(j).contains(&i))?;
+        let sent = coordination
+            .first()
+            .and_then(|u| u.place(Slot::Own))
+            .map_or(Slot::Desired, |_| Slot::Own);
+        for i in 0..count {
+            let neighbours = self.neighbours(i);
+            for (k, &j) in neighbours.iter().enumerate() {
+                let (from, to) = (port(j, sent)?, port(i, self.input(i, k, j))?);
+                // Positions are exchanged all at once, whatever the master: never in place.
+                match faults.link(j, i) {
+                    Some(link) => wiring.connect_through(from, to, Timing::Sampled, Box::new(link)),
+                    None => wiring.connect(from, to, Timing::Sampled),
+                }
+            }
+            if matches!(self.scenario.protocol, Protocol::Coverage { .. }) {
+                for (end, slot) in [(0, Slot::Heard(0)), (count - 1, Slot::Heard(1))] {
+                    if i == end {
+                        // What an end drone would hear from beyond; it does not look at it.
+                        let at = port(i, slot)?;
+                        if let Some(unit) = coordination.get(i) {
+                            wiring.hold(at, unit.get(at.variable)?);
+                        }
+                    }
+                }
+            }
+            body.connect(&mut wiring, i, port(i, body.desired)?);
+        }
+        for (drone, steps) in faults.drop_outs {
+            wiring.outage(3 * drone, steps);
+        }
+        Ok(wiring)
+    }
+
+    /// The master of the swarm's co-simulation.
+    ///
+    /// # Errors
+    /// As for [`Swarm::wiring`] and [`Master::new`].
+    pub fn master(&self) -> Result<Master> {
+        Master::new(self.wiring()?, self.grid.clone(), self.algorithm)
+    }
+
+    /// What the run is made with.
+    pub fn setup(&self) -> Setup {
+        let segment = match &self.scenario.protocol {
+            Protocol::Coverage { min, max } => Some((min.clone(), max.clone())),
+            _ => None,
+        };
+        Setup {
+            protocol: self.scenario.protocol.name().to_owned(),
+            segment,
+            weight: self.scenario.weight.clone(),
+            period: self.scenario.period,
+            tau: self.grid.tau().clone(),
+            integrator: self.integrator.name().to_owned(),
+            master: self.algorithm.name().to_owned(),
+        }
+    }
+}
+
+fn port(unit: &Coordination, drone: usize, slot: Slot) -> Result<Port> {
+    match unit.place(slot) {
+        Some(variable) => Ok(Port { unit: 3 * drone, variable }),
+        None => Err(UnitError::new(unit.name(), None, format!("has no variable {slot:?}")).into()),
+    }
+}
+
+/// The three units of a drone and which of their variables go together.
+pub(super) struct Body<'b> {
+    pub(super) coordination: &'b dyn Fn(usize) -> Coordination,
+    pub(super) control: &'b dyn Fn(usize) -> Box<dyn Unit>,
+    pub(super) plant: &'b dyn Fn(usize) -> Box<dyn Unit>,
+    /// The output that the controller follows; its input is number 0.
+    pub(super) desired: Slot,
+    /// The controller's inputs from the plant, and the plant's first output.
+    pub(super) state: std::ops::Range<usize>,
+    pub(super) first_output: usize,
+    /// The controller's outputs, and the plant's first input.
+    pub(super) rotors: std::ops::Range<usize>,
+    pub(super) first_rotor: usize,
+    /// Inputs of the controller that nothing is connected to.
+    pub(super) held: Vec<(usize, Value)>,
+}
+
+impl Body<'_> {
+    fn connect(&self, wiring: &mut Wiring, drone: usize, desired: Port) {
+        let control = |variable| Port { unit: 3 * drone + 1, variable };
+        let plant = |variable| Port { unit: 3 * drone + 2, variable };
+        wiring.connect(desired, control(control::var::X_D), Timing::Sampled);
+        for (k, input) in self.state.clone().enumerate() {
+            wiring.connect(plant(self.first_output + k), control(input), Timing::Sampled);
+        }
+        for (k, output) in self.rotors.clone().enumerate() {
+            wiring.connect(control(output), plant(self.first_rotor + k), Timing::Immediate);
+        }
+        for (input, value) in &self.held {
+            wiring.hold(control(*input), value.clone());
+        }
+    }
+}
+
+/// A field with one of a few names; the first of them by default.
+fn choice<T: Default>(
+    field: &str,
+    name: Option<String>,
+    known: &[&str],
+    named: impl Fn(&str) -> Option<T>,
+) -> Result<T> {
+    let Some(name) = name else {
+        return Ok(T::default());
+    };
+    named(&name).ok_or_else(|| {
+        let known: Vec<_> = known.iter().map(|k| format!("`{k}`")).collect();
+        Error::input(format!("{field}: `{name}`: expected {}", known.join(" or ")))
+    })
+}

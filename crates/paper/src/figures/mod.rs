@@ -1,0 +1,234 @@
+//! The paper's figures, drawn anew from co-simulated runs: 8 to 12, 15 and 16.
+
+mod draw;
+mod font;
+
+use std::path::{Path, PathBuf};
+
+use cordon_spec::{Phase, Scalar};
+
+use cordon_core::exact::Rational;
+use cordon_core::{Result, files};
+use cordon_cosim::collision::{Event, EventKind};
+use cordon_cosim::record::Record;
+use cordon_cosim::run;
+use cordon_cosim::swarm::Swarm;
+use cordon_run::scenario::{Flight, Protocol, Scenario, Topology};
+
+/// A form of a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Scalable Vector Graphics
+    Svg,
+    /// Portable Network Graphics
+    Png,
+}
+
+/// What a figure shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Shown {
+    Desired,
+    Actual,
+    /// The desired position of drone 2, one line a run.
+    Centre,
+}
+
+/// A figure of the paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Figure {
+    /// Number in the paper.
+    pub number: u32,
+    shown: Shown,
+    consensus: bool,
+    /// Weights of its runs, in tenths; the period is as many tenths of a second.
+    tenths: &'static [i32],
+    /// Length of the time axis in s.
+    seconds: i32,
+    /// Distance of the vertical grid lines in tenths of a second: the period of the updates.
+    grid_tenths: i32,
+}
+
+/// The figures, by number.
+pub const FIGURES: [Figure; 7] = [
+    figure(8, Shown::Desired, &[2], 10),
+    figure(9, Shown::Actual, &[2], 20),
+    figure(10, Shown::Centre, &[1, 3, 5], 8),
+    figure(11, Shown::Desired, &[7], 11),
+    figure(12, Shown::Actual, &[7], 15),
+    Figure { consensus: true, ..figure(15, Shown::Desired, &[3], 10) },
+    Figure { consensus: true, ..figure(16, Shown::Actual, &[3], 20) },
+];
+
+const fn figure(number: u32, shown: Shown, tenths: &'static [i32], seconds: i32) -> Figure {
+    let grid_tenths = match tenths {
+        [one] => *one,
+        // Several periods: a line every half second fits none and all of them.
+        _ => 5,
+    };
+    Figure { number, shown, consensus: false, tenths, seconds, grid_tenths }
+}
+
+/// A figure's lines, ready to be drawn.
+pub struct Plot {
+    title: String,
+    /// Label of the vertical axis.
+    label: &'static str,
+    seconds: f64,
+    /// Distance of the vertical grid lines in s.
+    grid: f64,
+    grid_label: String,
+    lines: Vec<Line>,
+    /// Collisions within the time axis: time, position, label.
+    marks: Vec<(f64, f64, String)>,
+}
+
+struct Line {
+    name: String,
+    points: Vec<(f64, f64)>,
+}
+
+impl Figure {
+    /// Runs what the figure shows.
+    ///
+    /// # Errors
+    /// A run fails.
+    pub fn plot(&self) -> Result<Plot> {
+        let runs = self
+            .tenths
+            .iter()
+            .map(|&tenths| Ok((tenths, run::run(&self.swarm(tenths)?, |_| {})?)))
+            .collect::<Result<Vec<_>>>()?;
+        let lines = match self.shown {
+            Shown::Centre => runs
+                .iter()
+                .map(|(tenths, record)| Line {
+                    name: format!("eps = {}", decimal(*tenths)),
+                    points: points(record, 2, true),
+                })
+                .collect(),
+            shown => runs
+                .iter()
+                .flat_map(|(_, record)| {
+                    let desired = shown == Shown::Desired;
+                    (0..record.count).map(move |i| Line {
+                        name: format!("drone {i}"),
+                        points: points(record, i, desired),
+                    })
+                })
+                .collect(),
+        };
+        let marks = match (self.shown, runs.as_slice()) {
+            // Drones that meet are what consensus is for.
+            (Shown::Actual, [(_, record)]) if !self.consensus => collisions(record),
+            _ => Vec::new(),
+        };
+        let (label, what) = match self.shown {
+            Shown::Desired => ("desired position x_d [m]", "desired positions"),
+            Shown::Actual => ("actual position x [m]", "actual positions"),
+            Shown::Centre => {
+                ("desired position x_d of drone 2 [m]", "desired position of the central drone")
+            }
+        };
+        let protocol = if self.consensus { "consensus" } else { "coverage" };
+        let weight = match self.tenths {
+            [one] => format!(", eps = {}", decimal(*one)),
+            _ => String::new(),
+        };
+        let grid_label = match self.shown {
+            Shown::Centre => "time t [s]; grid lines every 0.5 s".to_owned(),
+            _ => format!("time t [s]; a grid line every eps = {} s", decimal(self.grid_tenths)),
+        };
+        Ok(Plot {
+            title: format!("Fig. {}: {what}, {protocol}{weight}", self.number),
+            label,
+            seconds: f64::from(self.seconds),
+            grid: f64::from(self.grid_tenths) / 10.0,
+            grid_label,
+            lines,
+            marks,
+        })
+    }
+
+    /// The paper's swarm with weight eps = tenths/10 and the period that the paper ties to it,
+    /// eps seconds of 0.05 s ticks.
+    fn swarm(&self, tenths: i32) -> Result<Swarm> {
+        let start: Vec<_> = [0, 10, 20, 30, 100].map(Rational::from_int).into();
+        let protocol = if self.consensus {
+            Protocol::Consensus { graph: Topology::Path(start.len()) }
+        } else {
+            Protocol::Coverage { min: Rational::from_int(0), max: Rational::from_int(100) }
+        };
+        let scenario = Scenario {
+            title: format!("Fig. {}", self.number),
+            protocol,
+            start,
+            weight: Rational::new(tenths.into(), 10.into()),
+            period: 2 * tenths.unsigned_abs(),
+            phase: Phase::First,
+            tau: Some(Rational::new(1.into(), 20.into())),
+            steps: 0,
+        };
+        let duration = Some(Rational::from_int(self.seconds));
+        Swarm::new(scenario, Flight { duration, ..Flight::default() })
+    }
+
+    /// The name of the figure's file.
+    pub fn file_name(&self, format: Format) -> String {
+        let extension = match format {
+            Format::Svg => "svg",
+            Format::Png => "png",
+        };
+        format!("fig{:02}.{extension}", self.number)
+    }
+
+    /// Draws the figure into a file of a folder, which appears whole or not at all.
+    ///
+    /// # Errors
+    /// The run fails, or the file cannot be written.
+    pub fn save(&self, format: Format, folder: &Path) -> Result<PathBuf> {
+        let content = self.plot()?.drawn(format)?;
+        let path = folder.join(self.file_name(format));
+        files::write_atomically(&path, &content)?;
+        Ok(path)
+    }
+}
+
+/// A drone's line. Desired positions are held from grid point to grid point: a staircase.
+fn points(record: &Record, drone: usize, desired: bool) -> Vec<(f64, f64)> {
+    let mut points: Vec<(f64, f64)> = Vec::new();
+    for (row, &time) in record.times.iter().enumerate() {
+        let positions = if desired { record.desired_at(row) } else { record.actual_at(row) };
+        let Some(&x) = positions.get(drone) else {
+            continue;
+        };
+        if let (true, Some(&(_, before))) = (desired, points.last())
+            && before != x
+        {
+            points.push((time, before));
+        }
+        points.push((time, x));
+    }
+    points
+}
+
+fn collisions(record: &Record) -> Vec<(f64, f64, String)> {
+    let events = record.events.as_deref().unwrap_or_default();
+    let first = events.iter().find(|e| e.kind == EventKind::Collision);
+    first.and_then(|e| mark(record, e)).into_iter().collect()
+}
+
+/// The place of a collision: between the samples the drone's position is interpolated.
+fn mark(record: &Record, event: &Event) -> Option<(f64, f64, String)> {
+    let (i, j) = event.drones;
+    let after = record.times.iter().position(|t| *t >= event.time)?;
+    let before = after.saturating_sub(1);
+    let (t0, t1) = (record.times.get(before)?, record.times.get(after)?);
+    let (x0, x1) = (record.actual_at(before).get(i)?, record.actual_at(after).get(i)?);
+    let share = if t1 > t0 { (event.time - t0) / (t1 - t0) } else { 0.0 };
+    let label = format!("drones {i} and {j} collide at {:.2} s", event.time);
+    Some((event.time, x0 + share * (x1 - x0), label))
+}
+
+fn decimal(tenths: i32) -> String {
+    format!("{}.{}", tenths / 10, tenths % 10)
+}

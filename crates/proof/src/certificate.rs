@@ -1,0 +1,151 @@
+//! Certificates as JSON, in the format `cordon-certificate/1` (`proofs/checker/FORMAT.md`).
+//!
+//! Only writing is done here; what a certificate is worth, the independent checker says.
+
+use std::path::{Path, PathBuf};
+
+use cordon_check::Verdict;
+use cordon_spec::theorems::Subject;
+use num_bigint::BigInt;
+use serde_json::{Value, json};
+
+use crate::counterexample::Counterexample;
+use cordon_core::exact::fraction;
+use cordon_core::{Error, Rational, Result, files};
+
+/// The format's name.
+pub const SCHEMA: &str = "cordon-certificate/1";
+
+fn sealed(kind: &str, body: Value) -> Value {
+    json!({ "schema": SCHEMA, "certificate": { kind: body } })
+}
+
+fn numbers(x: &[Rational]) -> Vec<String> {
+    x.iter().map(fraction).collect()
+}
+
+/// Convergence for one N and one eps: |A| w <= rate w.
+pub fn contraction(count: usize, eps: &Rational, rate: &Rational, w: &[BigInt]) -> Value {
+    let vector: Vec<String> = w.iter().map(ToString::to_string).collect();
+    sealed(
+        "contraction",
+        json!({ "drones": count, "eps": fraction(eps), "rate": fraction(rate), "vector": vector }),
+    )
+}
+
+/// No convergence for one N and one eps: |A| w >= w.
+pub fn growth(count: usize, eps: &Rational, w: &[BigInt]) -> Value {
+    let vector: Vec<String> = w.iter().map(ToString::to_string).collect();
+    sealed("growth", json!({ "drones": count, "eps": fraction(eps), "vector": vector }))
+}
+
+/// How a run departs from the protocol as written.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Departure {
+    /// Not at all.
+    #[default]
+    None,
+    /// In each step only these drones update.
+    Activation(Vec<Vec<usize>>),
+    /// In each step drone i sees drone j as it was `age` steps ago, for the listed (i, j, age).
+    Delay(Vec<Vec<(usize, usize, usize)>>),
+}
+
+/// A run that violates a theorem, or an extension of it to other weights or other steps.
+pub fn refutation(found: &Counterexample) -> Value {
+    let subject = match found.violation.subject {
+        Subject::Pair(i) => json!({ "pair": i }),
+        Subject::Drone(i) => json!({ "drone": i }),
+        Subject::Sum => json!("sum"),
+        Subject::Energy => json!("energy"),
+    };
+    let start = found.start();
+    let mut body = json!({
+        "theorem": found.theorem.text().number,
+        "form": found.form.label(),
+        "min": start.first().map(fraction),
+        "max": start.last().map(fraction),
+        "eps": fraction(&found.eps),
+        "start": numbers(start),
+        "step": found.step,
+        "violation": { "step": found.violation.step, "subject": subject },
+    });
+    if let Some(fields) = body.as_object_mut() {
+        if !found.weight_is_in_range() {
+            fields.insert("weights".to_owned(), json!("any"));
+        }
+        match &found.departure {
+            Departure::None => {}
+            Departure::Activation(steps) => {
+                fields.insert("activation".to_owned(), json!(steps));
+            }
+            Departure::Delay(steps) => {
+                fields.insert("delay".to_owned(), json!(steps));
+            }
+        }
+    }
+    sealed("refutation", body)
+}
+
+/// One half-space of an invariant: `normal . x >= bound`, or `>` where strict.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct HalfSpace {
+    /// Coefficients of the variables.
+    pub normal: Vec<Rational>,
+    /// What the form is at least.
+    pub bound: Rational,
+    /// Whether it is more than that.
+    pub strict: bool,
+}
+
+/// An invariant of x' = matrix x + offset, with the multipliers that prove each row.
+pub fn invariance(
+    matrix: &[Vec<Rational>],
+    offset: &[Rational],
+    invariant: &[HalfSpace],
+    multipliers: &[Vec<Rational>],
+) -> Value {
+    let rows = |m: &[Vec<Rational>]| m.iter().map(|r| numbers(r)).collect::<Vec<_>>();
+    let invariant: Vec<Value> = invariant
+        .iter()
+        .map(|h| json!({ "normal": numbers(&h.normal), "bound": fraction(&h.bound), "strict": h.strict }))
+        .collect();
+    sealed(
+        "invariance",
+        json!({
+            "matrix": rows(matrix),
+            "offset": numbers(offset),
+            "invariant": invariant,
+            "multipliers": rows(multipliers),
+        }),
+    )
+}
+
+/// Whether the independent checker accepts a certificate. Nothing is called certified before
+/// it has.
+pub fn accepted(certificate: &Value) -> bool {
+    matches!(cordon_check::check(&certificate.to_string()), Verdict::Valid { .. })
+}
+
+/// What a command says before it ends with [`Outcome::Rejected`](cordon_core::Outcome::Rejected).
+pub const REJECTED: &str = "the independent checker rejects the certificate: a fault of the search";
+
+/// Writes a certificate to `folder/name.json`, creating the folder, and returns the path.
+///
+/// # Errors
+/// The folder cannot be created or written.
+pub fn write(folder: &Path, name: &str, certificate: &Value) -> Result<PathBuf> {
+    std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
+    let path = folder.join(format!("{name}.json"));
+    write_file(&path, certificate)?;
+    Ok(path)
+}
+
+/// Writes a certificate to a file, and returns its path as text.
+///
+/// # Errors
+/// The file cannot be written.
+pub fn write_file(path: &Path, certificate: &Value) -> Result<String> {
+    files::write_atomically(path, format!("{certificate:#}\n").as_bytes())?;
+    Ok(path.display().to_string())
+}

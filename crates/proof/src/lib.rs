@@ -1,0 +1,12 @@
+//! Engines that decide: sweeps, refutations, proofs, thresholds, settling steps, and the same
+//! questions written for other solvers.
+
+pub mod certificate;
+pub mod counterexample;
+pub mod export;
+pub mod own_protocol;
+pub mod prove;
+pub mod refute;
+pub mod settle;
+pub mod sweep;
+pub mod threshold;

@@ -1,0 +1,91 @@
+//! Theorems that are implications or equivalences: every combination of answers that their
+//! comparisons can get from some start.
+
+use std::cmp::Ordering;
+
+use cordon_spec::theorems::{Setting, StartSet, Truth, Verdict};
+
+use super::starts::Region;
+use super::symbolic::{ANSWERS, Symbol, assumption, demands, evaluate};
+use cordon_core::Rational;
+use cordon_core::linear::affine::Affine;
+use cordon_core::linear::feasible::{Constraint, point};
+
+/// Most combinations looked into at one step: beyond that the search is not complete.
+const MOST_NODES: usize = 4_000;
+
+/// A start of the set for which the conclusion is violated on the placements, and whether
+/// the absence of one would be complete.
+pub fn violation(
+    set: StartSet,
+    region: &Region,
+    setting: &Setting<Symbol>,
+    placements: &[Vec<Affine>],
+    conclusion: impl Fn(&[Vec<Symbol>]) -> Verdict,
+) -> (Option<Vec<Rational>>, bool) {
+    let contains = |run: &[Vec<Symbol>]| match run.first() {
+        Some(x) => set.contains(setting, x),
+        None => Truth::Unknown,
+    };
+    let start = [region.placement()];
+    let Some(constraints) = demands(&start, contains, |t| *t == Truth::False) else {
+        return (None, false);
+    };
+    let mut tree = Tree {
+        variables: region.count.saturating_sub(2),
+        placements,
+        conclusion,
+        answers: Vec::new(),
+        constraints,
+        nodes: 0,
+        complete: true,
+    };
+    let found = tree.explore();
+    (found, tree.complete)
+}
+
+struct Tree<'p, C> {
+    variables: usize,
+    placements: &'p [Vec<Affine>],
+    conclusion: C,
+    answers: Vec<Option<Ordering>>,
+    constraints: Vec<Constraint>,
+    nodes: usize,
+    complete: bool,
+}
+
+impl<C: Fn(&[Vec<Symbol>]) -> Verdict> Tree<'_, C> {
+    fn explore(&mut self) -> Option<Vec<Rational>> {
+        self.nodes += 1;
+        if self.nodes > MOST_NODES {
+            self.complete = false;
+            return None;
+        }
+        let (verdict, asked) = evaluate(self.placements, &self.answers, &self.conclusion);
+        match verdict {
+            Verdict::Holds | Verdict::Vacuous => return None,
+            Verdict::Violated(_) => return point(self.variables, &self.constraints),
+            Verdict::Undecided => {}
+        }
+        // The next comparison, unless nothing that could be assumed is left.
+        let Some(difference) = asked.get(self.answers.len()).cloned() else {
+            self.complete = false;
+            return None;
+        };
+        for answer in ANSWERS {
+            self.constraints.push(assumption(&difference, answer));
+            self.answers.push(Some(answer));
+            let found = if point(self.variables, &self.constraints).is_some() {
+                self.explore()
+            } else {
+                None
+            };
+            self.answers.pop();
+            self.constraints.pop();
+            if found.is_some() {
+                return found;
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,274 @@
+//! The search for counterexamples: the smallest one, or the statement that there is none.
+//!
+//! For a fixed number of drones, weight and step, the placement is an affine function of the
+//! start, so that extreme starts decide the linear theorems: what is not found there does not
+//! exist, from any start. Where moreover a step takes the start set into itself, the same
+//! holds at every step.
+
+pub mod activation;
+pub mod delay;
+mod energy;
+mod exhaustive;
+mod starts;
+mod symbolic;
+
+use cordon_spec::coverage::exec_coverage;
+use cordon_spec::theorems::{Form, Setting, StartSet, Theorem, Truth, Verdict};
+use cordon_spec::{Params, State};
+use num_traits::{One, Zero};
+
+use crate::counterexample::Counterexample;
+use cordon_core::Rational;
+use cordon_core::linear::affine::Affine;
+use cordon_core::linear::feasible::Sign;
+use starts::Region;
+use symbolic::{Symbol, ways_to_fail};
+
+/// What is searched.
+#[derive(Clone, Debug)]
+pub struct Query {
+    /// The theorem.
+    pub theorem: Theorem,
+    /// In which form.
+    pub form: Form,
+    /// Numbers of drones, ascending.
+    pub drones: Vec<usize>,
+    /// Weights, the simplest first; `None` for those of the theorem's own range with small
+    /// denominators.
+    pub weights: Weights,
+    /// Last step looked at.
+    pub steps: usize,
+}
+
+/// Which weights are searched.
+#[derive(Clone, Debug)]
+pub enum Weights {
+    /// These, whatever the theorem says about weights.
+    Given(Vec<Rational>),
+    /// Of these, those in the theorem's own range.
+    InRange(Vec<Rational>),
+}
+
+impl Weights {
+    /// The weights for a number of drones.
+    fn of(&self, theorem: Theorem, form: Form, count: usize) -> Vec<Rational> {
+        match self {
+            Self::Given(weights) => weights.clone(),
+            Self::InRange(weights) => {
+                let range = theorem.hypothesis(form).weights;
+                let within = |eps: &&Rational| {
+                    let den = Rational::from_integer(eps.denom().clone());
+                    range.contains(&(*eps * &den), &den, count).is_true()
+                };
+                weights.iter().filter(within).cloned().collect()
+            }
+        }
+    }
+}
+
+/// How far the absence of a counterexample is established.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Extent {
+    /// Some starts were tried, up to the last step.
+    Tried,
+    /// None exists from any start up to the last step.
+    EveryStart,
+    /// None exists from any start at any step.
+    EveryStartAndStep,
+}
+
+/// What was covered without a counterexample.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Coverage {
+    /// Number of drones.
+    pub count: usize,
+    /// Weight.
+    pub eps: Rational,
+    /// How far.
+    pub extent: Extent,
+}
+
+/// The result of a search.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// The smallest counterexample, by number of drones, then step, then weight.
+    pub found: Option<Counterexample>,
+    /// What was covered without one: everything, or all smaller numbers of drones.
+    pub covered: Vec<Coverage>,
+}
+
+/// Searches.
+pub fn search(query: &Query) -> Answer {
+    let mut covered = Vec::new();
+    for &count in &query.drones {
+        let mut open = Vec::new();
+        for eps in query.weights.of(query.theorem, query.form, count) {
+            if impossible_at_every_step(query.theorem, query.form, count, &eps) {
+                covered.push(Coverage { count, eps, extent: Extent::EveryStartAndStep });
+            } else {
+                open.push(Search::new(query, count, eps));
+            }
+        }
+        for k in 0..=query.steps {
+            for search in &mut open {
+                if let Some(found) = search.at_step(k) {
+                    return Answer { found: Some(found), covered };
+                }
+            }
+        }
+        covered.extend(open.into_iter().map(Search::covered));
+    }
+    Answer { found: None, covered }
+}
+
+/// The search at one number of drones and one weight, step after step.
+struct Search<'q> {
+    query: &'q Query,
+    eps: Rational,
+    region: Region,
+    run: SymbolicRun,
+    extent: Extent,
+}
+
+impl<'q> Search<'q> {
+    fn new(query: &'q Query, count: usize, eps: Rational) -> Self {
+        let region = Region::of(query.theorem.hypothesis(query.form).starts, count);
+        let run = SymbolicRun::new(&region, &eps);
+        Self { query, eps, region, run, extent: Extent::EveryStart }
+    }
+
+    fn at_step(&mut self, k: usize) -> Option<Counterexample> {
+        let (theorem, form) = (self.query.theorem, self.query.form);
+        let (start, complete) = if theorem == Theorem::Limit {
+            (energy::violating_start(form, &self.region, &self.eps, k), false)
+        } else {
+            let span = theorem.span(form, self.region.count);
+            let placements = self.run.placements(k, span);
+            let set = theorem.hypothesis(form).starts;
+            violating_start(theorem, form, set, &self.region, &self.eps, placements)
+        };
+        if !complete {
+            self.extent = Extent::Tried;
+        }
+        let start = self.region.start(&start?);
+        // The spec decides; a start that it does not confirm is no counterexample, and the
+        // search has then missed something.
+        let found = Counterexample::replay(theorem, form, &self.eps, start, k);
+        if found.is_none() {
+            self.extent = Extent::Tried;
+        }
+        found
+    }
+
+    fn covered(self) -> Coverage {
+        Coverage { count: self.region.count, eps: self.eps, extent: self.extent }
+    }
+}
+
+/// The placements X^0, X^1, ... as forms in the start.
+struct SymbolicRun {
+    params: Params<Affine>,
+    placements: Vec<Vec<Affine>>,
+}
+
+impl SymbolicRun {
+    fn new(region: &Region, eps: &Rational) -> Self {
+        Self { params: params(eps, Affine::constant), placements: vec![region.placement()] }
+    }
+
+    /// X^k .. X^{k+span}.
+    fn placements(&mut self, k: usize, span: usize) -> &[Vec<Affine>] {
+        while self.placements.len() <= k + span {
+            let drones = self.placements.last().cloned().unwrap_or_default();
+            let next = exec_coverage(&self.params, &State { drones, timesteps: 0 });
+            self.placements.push(next.drones);
+        }
+        self.placements.get(k..=k + span).unwrap_or_default()
+    }
+}
+
+/// Parameters on the segment \[0, 1\].
+fn params<S>(eps: &Rational, scalar: impl Fn(Rational) -> S) -> Params<S> {
+    Params {
+        min: scalar(Rational::zero()),
+        max: scalar(Rational::one()),
+        eps: scalar(eps.clone()),
+        n: 0,
+    }
+}
+
+fn symbolic_setting(eps: &Rational) -> Setting<Symbol> {
+    Setting::from(&params(eps, Symbol::constant))
+}
+
+/// Whether the conclusion is a conjunction of comparisons, so that each can be violated on its
+/// own.
+fn is_conjunction(theorem: Theorem) -> bool {
+    matches!(
+        theorem,
+        Theorem::Ordering | Theorem::UpperBound | Theorem::SumBounded | Theorem::SumNonDecreasing
+    )
+}
+
+/// A start of the set, whose region is given, from which the conclusion is violated on the
+/// placements, and whether the absence of one would be complete.
+fn violating_start(
+    theorem: Theorem,
+    form: Form,
+    set: StartSet,
+    region: &Region,
+    eps: &Rational,
+    placements: &[Vec<Affine>],
+) -> (Option<Vec<Rational>>, bool) {
+    let setting = symbolic_setting(eps);
+    let conclusion = |run: &[Vec<Symbol>]| theorem.conclusion(form, &setting, run);
+    if is_conjunction(theorem) {
+        let is_false = |v: &Verdict| matches!(v, Verdict::Violated(_));
+        let mut ways = ways_to_fail(placements, conclusion, is_false);
+        // Drones that cross show more than drones that meet.
+        ways.sort_by_key(|way| way.sign == Sign::Zero);
+        (ways.iter().find_map(|way| region.point_with(way)), true)
+    } else {
+        exhaustive::violation(set, region, &setting, placements, conclusion)
+    }
+}
+
+/// Whether no counterexample exists at this weight from any start at any step, because some
+/// set that contains the starts is kept by a step and contains no violation.
+fn impossible_at_every_step(theorem: Theorem, form: Form, count: usize, eps: &Rational) -> bool {
+    if theorem == Theorem::Limit {
+        return energy::always_falls(form, count, eps);
+    }
+    let starts = theorem.hypothesis(form).starts;
+    let supersets = match starts {
+        StartSet::FirstSubsegment => {
+            vec![StartSet::Ordered, StartSet::UpperBounded, StartSet::Any]
+        }
+        StartSet::Ordered | StartSet::UpperBounded => vec![starts, StartSet::Any],
+        StartSet::Any => vec![StartSet::Any],
+    };
+    supersets.into_iter().any(|set| {
+        let region = Region::of(set, count);
+        let mut run = SymbolicRun::new(&region, eps);
+        let span = theorem.span(form, count);
+        let (start, complete) =
+            violating_start(theorem, form, set, &region, eps, run.placements(0, span));
+        start.is_none()
+            && complete
+            && leaving_start(set, &region, eps, run.placements(1, 0)).is_none()
+    })
+}
+
+/// A start in the region from which the placement is outside the start set.
+fn leaving_start(
+    set: StartSet,
+    region: &Region,
+    eps: &Rational,
+    placement: &[Vec<Affine>],
+) -> Option<Vec<Rational>> {
+    let setting = symbolic_setting(eps);
+    let contains =
+        |run: &[Vec<Symbol>]| run.first().map_or(Truth::Unknown, |x| set.contains(&setting, x));
+    let ways = ways_to_fail(placement, contains, |t| *t == Truth::False);
+    ways.iter().find_map(|way| region.point_with(way))
+}

@@ -1,0 +1,32 @@
+//! Sweeps: the theorems over every start on a grid, or over all real starts at once.
+//!
+//! A work item is a theorem in one form for one number of drones and one weight. Its
+//! hypothesis and its conclusion are the predicates of [`cordon_spec::theorems`], its update
+//! is the [`cordon_core::stencil`] read off the spec. Two kinds of sweep:
+//!
+//! * **exhaustive on a grid** ([`exhaust`]): every integer start of the theorem's start set on a
+//!   grid, every step k up to a last one, in machine integers of a proved range;
+//! * **complete for all starts** ([`complete`]): the step is linear in the start, so that the
+//!   theorem holds of all real starts exactly when finitely many numbers have the right sign.
+//!
+//! Where a grid is too large, random starts on it give evidence of the kind "sampled".
+
+pub mod complete;
+pub mod config;
+pub mod exhaust;
+pub mod finding;
+pub mod grid;
+pub mod kernel;
+pub mod machine;
+pub mod merge;
+pub mod minimise;
+pub mod range;
+pub mod run;
+pub mod sample;
+pub mod store;
+pub mod summary;
+pub mod weights;
+
+pub use config::{Config, Item, Starts};
+pub use finding::{Counterexample, Counts, Evidence, Finding, Judgement};
+pub use weights::Weights;

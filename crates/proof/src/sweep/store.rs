@@ -1,0 +1,235 @@
+//! Result files: a header line with the configuration, then one JSON line for each finished
+//! work item, in the order of the items.
+//!
+//! A file grows by whole lines only. A sweep that was killed leaves at most its last line torn;
+//! opening the file again cuts that off, takes over what is finished and goes on.
+
+use std::fs::{File, OpenOptions};
+use std::io::{Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use super::config::{Config, Item};
+use super::finding::Finding;
+use cordon_core::{Error, Result, files};
+
+/// Name and version of the file format.
+pub const SCHEMA: &str = "cordon-sweep/1";
+
+/// Which part of a sweep: the work items whose number is `index - 1` modulo `of`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Shard {
+    /// From 1 to `of`.
+    pub index: usize,
+    /// Number of parts.
+    pub of: usize,
+}
+
+impl Shard {
+    /// The whole sweep.
+    pub const WHOLE: Self = Self { index: 1, of: 1 };
+
+    /// Reads `i/n` with 1 <= i <= n.
+    ///
+    /// # Errors
+    /// Anything else.
+    pub fn parse(text: &str) -> Result<Self> {
+        let bad =
+            || Error::input(format!("shard: `{text}`: expected I/N with 1 <= I <= N, like 2/8"));
+        let (index, of) = text.split_once('/').ok_or_else(bad)?;
+        let index = index.trim().parse().map_err(|_| bad())?;
+        let of = of.trim().parse().map_err(|_| bad())?;
+        if index < 1 || index > of { Err(bad()) } else { Ok(Self { index, of }) }
+    }
+
+    /// Its items among those of the whole sweep.
+    pub fn of_items(self, items: Vec<Item>) -> Vec<Item> {
+        items.into_iter().filter(|item| item.number % self.of == self.index - 1).collect()
+    }
+}
+
+/// The first line of a file.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Header {
+    /// [`SCHEMA`].
+    pub schema: String,
+    /// What is swept.
+    pub config: Config,
+    /// Which part of it.
+    pub shard: Shard,
+    /// Number of work items of the whole sweep.
+    pub items: usize,
+}
+
+impl Header {
+    /// The header of a part of a sweep of this many items.
+    pub fn new(config: &Config, shard: Shard, items: usize) -> Self {
+        Self { schema: SCHEMA.into(), config: config.clone(), shard, items }
+    }
+}
+
+/// A result file with what it holds so far.
+#[derive(Debug)]
+pub struct Read {
+    /// Its first line.
+    pub header: Header,
+    /// Its findings, in the order of the file.
+    pub findings: Vec<Finding>,
+    /// Length of the whole lines, in bytes.
+    whole: u64,
+}
+
+/// Reads a result file; a torn last line is left out.
+///
+/// # Errors
+/// The file cannot be read, does not begin with a whole header of this format, or has a bad
+/// line.
+pub fn read(path: &Path) -> Result<Read> {
+    let bytes = std::fs::read(path).map_err(|e| Error::file("read", path, e))?;
+    let bad = |line: usize, why: String| {
+        Error::input(format!("`{}`, line {line}: {why}", path.display()))
+    };
+    let mut lines = bytes.split_inclusive(|b| *b == b'\n').take_while(|l| l.ends_with(b"\n"));
+    let first = lines.next().unwrap_or_default();
+    let schema: Schema = serde_json::from_slice(first)
+        .map_err(|_| bad(1, format!("expected the header of a result file, schema `{SCHEMA}`")))?;
+    if schema.schema != SCHEMA {
+        return Err(bad(1, format!("schema `{}`: expected `{SCHEMA}`", schema.schema)));
+    }
+    let header = serde_json::from_slice(first).map_err(|e| bad(1, format!("bad header: {e}")))?;
+    let mut whole = first.len() as u64;
+    let mut findings = Vec::new();
+    for (i, line) in lines.enumerate() {
+        let finding = serde_json::from_slice(line)
+            .map_err(|e| bad(i + 2, format!("expected a finding of a sweep: {e}")))?;
+        findings.push(finding);
+        whole += line.len() as u64;
+    }
+    Ok(Read { header, findings, whole })
+}
+
+/// The one field that every version of the format has.
+#[derive(Deserialize)]
+struct Schema {
+    schema: String,
+}
+
+/// A result file open for more findings.
+#[derive(Debug)]
+pub struct Store {
+    path: PathBuf,
+    file: File,
+}
+
+impl Store {
+    /// Opens the file of a part of a sweep, or begins it. Answers with the findings it already
+    /// holds, which are those of the first of `items`.
+    ///
+    /// # Errors
+    /// The file holds another sweep or is damaged, or cannot be read or written.
+    pub fn open(path: &Path, header: &Header, items: &[Item]) -> Result<(Self, Vec<Finding>)> {
+        let begun = match std::fs::metadata(path) {
+            Ok(meta) => meta.len() > 0,
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => false,
+            Err(e) => return Err(Error::file("read", path, e)),
+        };
+        let (findings, whole) = if begun {
+            let old = read(path)?;
+            same(path, header, &old.header)?;
+            in_order(path, &old.findings, items)?;
+            (old.findings, old.whole)
+        } else {
+            let line = line_of(header)?;
+            files::write_atomically(path, line.as_bytes())?;
+            (Vec::new(), line.len() as u64)
+        };
+        let fail = |e| Error::file("write", path, e);
+        let mut file = OpenOptions::new().write(true).open(path).map_err(fail)?;
+        file.set_len(whole).map_err(fail)?;
+        file.seek(SeekFrom::End(0)).map_err(fail)?;
+        Ok((Self { path: path.to_owned(), file }, findings))
+    }
+
+    /// Adds a finding, as one write.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn add(&mut self, finding: &Finding) -> Result<()> {
+        let line = line_of(finding)?;
+        self.file.write_all(line.as_bytes()).map_err(|e| Error::file("write", &self.path, e))
+    }
+
+    /// Waits until everything is on the disk.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn finish(self) -> Result<()> {
+        self.file.sync_all().map_err(|e| Error::file("write", &self.path, e))
+    }
+}
+
+/// A value as one line of JSON.
+pub fn line_of(value: &impl Serialize) -> Result<String> {
+    let mut line = serde_json::to_string(value).map_err(std::io::Error::from)?;
+    line.push('\n');
+    Ok(line)
+}
+
+/// Refuses another configuration, naming the first field that differs.
+fn same(path: &Path, wanted: &Header, found: &Header) -> Result<()> {
+    match difference(wanted, found)? {
+        None => Ok(()),
+        Some((field, there, here)) => Err(Error::input(format!(
+            "out: `{}` holds another sweep: {field} is {there} there and {here} here: expected the same configuration or another file",
+            path.display()
+        ))),
+    }
+}
+
+/// The first field in which two headers differ, with both values.
+///
+/// # Errors
+/// None in practice: headers can be written as JSON.
+pub fn difference(a: &Header, b: &Header) -> Result<Option<(String, String, String)>> {
+    let fields = |h: &Header| -> Result<Vec<(String, String)>> {
+        let config = serde_json::to_value(&h.config).map_err(std::io::Error::from)?;
+        let config = config.as_object().into_iter().flatten();
+        let mut fields: Vec<_> =
+            config.map(|(name, value)| (name.replace('_', " "), value.to_string())).collect();
+        fields.push(("shard".into(), format!("{}/{}", h.shard.index, h.shard.of)));
+        fields.push(("number of work items".into(), h.items.to_string()));
+        Ok(fields)
+    };
+    let both = fields(a)?.into_iter().zip(fields(b)?);
+    let differs = both.into_iter().find(|((_, here), (_, there))| here != there);
+    Ok(differs.map(|((name, here), (_, there))| (name, there, here)))
+}
+
+/// Refuses findings that are not those of the first items, in order.
+fn in_order(path: &Path, findings: &[Finding], items: &[Item]) -> Result<()> {
+    for (i, finding) in findings.iter().enumerate() {
+        let expected = items.get(i);
+        if !expected.is_some_and(|item| belongs(finding, item)) {
+            return Err(Error::input(format!(
+                "`{}`, line {}: work item {} is out of place: expected {}",
+                path.display(),
+                i + 2,
+                finding.item,
+                expected.map_or("no more".to_owned(), |item| format!("item {}", item.number)),
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// Whether a finding is about this item.
+pub fn belongs(finding: &Finding, item: &Item) -> bool {
+    finding.item == item.number
+        && finding.theorem == item.theorem.text().number
+        && finding.form == item.form.label()
+        && finding.drones == item.drones
+        && finding.eps == item.eps.to_string()
+}

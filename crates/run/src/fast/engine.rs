@@ -1,0 +1,61 @@
+//! Which engine does the work.
+
+use super::answer::Answer;
+use super::growth::log2_above;
+use super::line::Line;
+use super::multiply::Multiply;
+use super::{jump, step};
+use cordon_core::Result;
+
+/// How the exact positions are computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Engine {
+    /// The one that is expected to be faster
+    #[default]
+    Auto,
+    /// Every step, in integers over a common denominator
+    Step,
+    /// No steps between: one power of the step's kernel
+    Jump,
+}
+
+/// The default backend of long multiplications.
+pub fn multiplier() -> &'static dyn Multiply {
+    #[cfg(feature = "gmp")]
+    {
+        &super::multiply::Gmp
+    }
+    #[cfg(not(feature = "gmp"))]
+    {
+        &super::ntt::Ntt
+    }
+}
+
+/// The positions after each of `steps`, in their order.
+///
+/// # Errors
+/// An answer longer than the memory limit.
+pub fn positions(line: &Line, steps: &[u64], engine: Engine) -> Result<Vec<Answer>> {
+    match engine {
+        Engine::Jump => jump::at(line, steps, multiplier()),
+        Engine::Step => step::at(line, steps),
+        Engine::Auto if jump_is_faster(line, steps) => jump::at(line, steps, multiplier()),
+        Engine::Auto => step::at(line, steps),
+    }
+}
+
+/// Limb operations of a jump for every limb of the answer, beside its convolution with the
+/// start: measured, and rounded up.
+const JUMP_COST: f64 = 600.0;
+
+fn jump_is_faster(line: &Line, steps: &[u64]) -> bool {
+    let limbs = log2_above(&line.growth()) / 64.0;
+    let drones = line.count() as f64;
+    let last = steps.iter().copied().max().unwrap_or(0) as f64;
+    let stepping = drones * last * (last * limbs / 2.0 + 1.0);
+    let jumping = |&k: &u64| {
+        let long = k as f64 * limbs + 1.0;
+        drones * long * (JUMP_COST + drones.min(2.0 * k as f64 + 1.0))
+    };
+    steps.iter().map(jumping).sum::<f64>() < stepping
+}

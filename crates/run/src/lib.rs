@@ -1,0 +1,12 @@
+//! Scenarios and the engines that run them.
+//!
+//! * [`scenario`]: what is run, from a TOML file or from flags.
+//! * [`simulate`], [`trace`]: step by step. [`fast`]: whole numbers of steps at once.
+//! * [`projection`]: N local machines against the global step. [`swarm`]: millions of drones.
+
+pub mod fast;
+pub mod projection;
+pub mod scenario;
+pub mod simulate;
+pub mod swarm;
+pub mod trace;

@@ -1,0 +1,100 @@
+//! The projection engine: N local machines beside the global protocol.
+//!
+//! The projection theorem (PROTOCOL section 1) says that local machines that exchange their
+//! positions after every tick compute exactly the global `kth_step`. This engine runs both
+//! forms of the spec side by side and reports the first difference; exchanging less often, or
+//! counting against another quotient, shows what the theorem's conditions are for.
+
+use cordon_spec::coverage::tick;
+use cordon_spec::local::{LocalParams, SimState, TickRatio, exchange, fmu_tick, project};
+use cordon_spec::{DroneMap, Params, Phase, State};
+
+use crate::scenario::Scenario;
+use cordon_core::Rational;
+use cordon_core::{Error, Result};
+
+/// How the local machines are run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Setup {
+    /// How many ticks to run.
+    pub ticks: u64,
+    /// Ticks from exchange to exchange, at least 1. The theorem is about 1.
+    pub exchange_every: u64,
+    /// The quotient that the local machines count against; by default the global counter
+    /// limit, with which the theorem holds.
+    pub ratio: Option<TickRatio>,
+}
+
+/// Both forms after some tick.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pair {
+    /// Ticks so far.
+    pub tick: u64,
+    /// Positions of the local machines.
+    pub local: Vec<Rational>,
+    /// Positions of the global protocol.
+    pub global: Vec<Rational>,
+}
+
+impl Pair {
+    /// The first drone whose two positions differ.
+    pub fn difference(&self) -> Option<usize> {
+        self.local.iter().zip(&self.global).position(|(a, b)| a != b)
+    }
+}
+
+/// Runs both forms for the given number of ticks.
+///
+/// # Errors
+/// The protocol is not coverage, or machines are never to exchange.
+pub fn run(scenario: &Scenario, setup: Setup) -> Result<Vec<Pair>> {
+    let Some(params) = scenario.params() else {
+        return Err(Error::input(format!(
+            "protocol: `{}`: expected `coverage`, the protocol that has a local form",
+            scenario.protocol.name()
+        )));
+    };
+    if setup.exchange_every == 0 {
+        return Err(Error::input("exchange-every: `0`: expected 1 or more ticks"));
+    }
+    let local_params = LocalParams {
+        count: scenario.count(),
+        ratio: setup.ratio.unwrap_or(TickRatio::whole(params.n)),
+        protocol: params.clone(),
+    };
+    let mut global = scenario.initial();
+    let mut local = machines(&params, &local_params, &global, scenario.phase);
+    let mut pairs = vec![pair(0, &local, &global)];
+    for t in 1..=setup.ticks {
+        global = tick(&params, global);
+        local = local.lambda(|i| fmu_tick(&local_params, local[i].clone()));
+        if t.is_multiple_of(setup.exchange_every) {
+            local = exchange(&local);
+        }
+        pairs.push(pair(t, &local, &global));
+    }
+    Ok(pairs)
+}
+
+/// The machines that agree with the global start, their counters where the phase puts them.
+fn machines(
+    params: &Params<Rational>,
+    local: &LocalParams<Rational>,
+    global: &State<Vec<Rational>>,
+    phase: Phase,
+) -> Vec<SimState<Rational>> {
+    let timesteps = match phase {
+        Phase::First => local.ratio.counter_limit(),
+        Phase::Last => 0,
+    };
+    let machine = |i| SimState { timesteps, ..project(params, global, i) };
+    (0..local.count).map(machine).collect()
+}
+
+fn pair(tick: u64, local: &[SimState<Rational>], global: &State<Vec<Rational>>) -> Pair {
+    Pair {
+        tick,
+        local: local.iter().map(|m| m.st.own.clone()).collect(),
+        global: global.drones.clone(),
+    }
+}

@@ -1,0 +1,217 @@
+//! A scenario before it is checked.
+
+use cordon_spec::Phase;
+
+use super::{Flight, MAX_DRONES, MIN_DRONES, Protocol, Scenario, Topology};
+use cordon_core::exact::Rational;
+use cordon_core::{Error, Result};
+
+/// Where the drones start, as a user says it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// Every drone's position.
+    Listed(Vec<Rational>),
+    /// Drone i at `min + i*(to - min)/(N-1)`, the last drone at max.
+    SpreadTo(Rational),
+}
+
+/// The fields of a scenario, each said or not. Later sources replace earlier ones
+/// ([`Draft::replaced_by`]): flags win over the file.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Draft {
+    /// Title.
+    pub title: Option<String>,
+    /// `coverage` (default), `consensus` or `formation`.
+    pub protocol: Option<String>,
+    /// Left end of the segment; the first drone's start by default.
+    pub min: Option<Rational>,
+    /// Right end of the segment; the last drone's start by default.
+    pub max: Option<Rational>,
+    /// Number of drones; the length of the start by default.
+    pub drones: Option<usize>,
+    /// Start.
+    pub start: Option<Start>,
+    /// Weight eps.
+    pub weight: Option<Rational>,
+    /// Ticks from update to update; 1 by default.
+    pub period: Option<u32>,
+    /// Phase of the first update.
+    pub phase: Option<Phase>,
+    /// Seconds a tick.
+    pub tau: Option<Rational>,
+    /// Protocol steps a trace shows; 20 by default.
+    pub steps: Option<u64>,
+    /// Graph by name.
+    pub graph: Option<String>,
+    /// Graph by edges.
+    pub edges: Option<Vec<(usize, usize)>>,
+    /// Wanted displacements (formation).
+    pub displacement: Option<Vec<Rational>>,
+    /// The drones' bodies, for co-simulation.
+    pub flight: Flight,
+}
+
+/// Protocol steps of a trace that nobody asked a number of.
+const DEFAULT_STEPS: u64 = 20;
+
+impl Draft {
+    /// This draft, with every field that `other` says taken from `other`.
+    #[must_use]
+    pub fn replaced_by(self, other: Self) -> Self {
+        Self {
+            title: other.title.or(self.title),
+            protocol: other.protocol.or(self.protocol),
+            min: other.min.or(self.min),
+            max: other.max.or(self.max),
+            drones: other.drones.or(self.drones),
+            start: other.start.or(self.start),
+            weight: other.weight.or(self.weight),
+            period: other.period.or(self.period),
+            phase: other.phase.or(self.phase),
+            tau: other.tau.or(self.tau),
+            steps: other.steps.or(self.steps),
+            graph: other.graph.or(self.graph),
+            edges: other.edges.or(self.edges),
+            displacement: other.displacement.or(self.displacement),
+            flight: self.flight.replaced_by(other.flight),
+        }
+    }
+
+    /// The checked scenario.
+    ///
+    /// # Errors
+    /// A missing, contradictory or senseless field, by name.
+    pub fn finish(self) -> Result<Scenario> {
+        let protocol = self.protocol.as_deref().unwrap_or("coverage");
+        let start = self.positions()?;
+        let count = start.len();
+        let protocol = match protocol {
+            "coverage" => self.coverage(&start)?,
+            "consensus" => Protocol::Consensus { graph: self.topology(count)? },
+            "formation" => {
+                let graph = self.topology(count)?;
+                Protocol::Formation { graph, displacement: self.displacements(count)? }
+            }
+            other => {
+                return Err(Error::input(format!(
+                    "protocol: `{other}` is unknown: expected `coverage`, `consensus` or `formation`"
+                )));
+            }
+        };
+        self.refuse_fields_foreign_to(&protocol)?;
+        let weight = self.weight.ok_or_else(|| missing("weight (eps)"))?;
+        let period = self.period.unwrap_or(1);
+        if period == 0 {
+            return Err(Error::input(
+                "period: `0`: expected at least one tick from update to update",
+            ));
+        }
+        if let Some(tau) = self.tau.as_ref().filter(|tau| **tau <= Rational::default()) {
+            return Err(Error::input(format!(
+                "tau: `{tau}`: expected a positive number of seconds"
+            )));
+        }
+        Ok(Scenario {
+            title: self.title.unwrap_or_else(|| format!("{} of {count} drones", protocol.name())),
+            protocol,
+            start,
+            weight,
+            period,
+            phase: self.phase.unwrap_or_default(),
+            tau: self.tau,
+            steps: self.steps.unwrap_or(DEFAULT_STEPS),
+        })
+    }
+
+    fn positions(&self) -> Result<Vec<Rational>> {
+        let start = self.start.as_ref().ok_or_else(|| missing("start"))?;
+        let count = match (self.drones, start) {
+            (Some(n), _) => n,
+            (None, Start::Listed(list)) => list.len(),
+            (None, Start::SpreadTo(_)) => return Err(missing("drones (their number)")),
+        };
+        if !(MIN_DRONES..=MAX_DRONES).contains(&count) {
+            return Err(Error::input(format!(
+                "drones: `{count}`: expected {MIN_DRONES} to {MAX_DRONES} drones"
+            )));
+        }
+        match start {
+            Start::Listed(list) if list.len() == count => Ok(list.clone()),
+            Start::Listed(list) => Err(Error::input(format!(
+                "start: {} positions given: expected one for each of the {count} drones",
+                list.len()
+            ))),
+            Start::SpreadTo(to) => {
+                let min = self.min.clone().unwrap_or_default();
+                let max =
+                    self.max.clone().ok_or_else(|| missing("max, which `spread_to` needs"))?;
+                let gaps = Rational::from_integer((count - 1).into());
+                let spacing = (to - &min) / gaps;
+                let place = |i: usize| &min + &spacing * Rational::from_integer(i.into());
+                Ok((0..count - 1).map(place).chain([max]).collect())
+            }
+        }
+    }
+
+    fn coverage(&self, start: &[Rational]) -> Result<Protocol> {
+        let (Some(first), Some(last)) = (start.first(), start.last()) else {
+            return Err(missing("start"));
+        };
+        let min = self.min.clone().unwrap_or_else(|| first.clone());
+        let max = self.max.clone().unwrap_or_else(|| last.clone());
+        if min >= max {
+            return Err(Error::input(format!(
+                "max: `{max}`: expected more than min, which is `{min}`"
+            )));
+        }
+        for (name, end, drone, at) in
+            [("min", &min, 0, first), ("max", &max, start.len() - 1, last)]
+        {
+            if at != end {
+                return Err(Error::input(format!(
+                    "start: drone {drone} is at `{at}`: expected {name}, which is `{end}`: \
+                     the end drones stay at the ends of the segment"
+                )));
+            }
+        }
+        Ok(Protocol::Coverage { min, max })
+    }
+
+    fn topology(&self, count: usize) -> Result<Topology> {
+        match (&self.edges, &self.graph) {
+            (Some(edges), _) => Topology::from_edges(edges, count),
+            (None, name) => Topology::named(name.as_deref().unwrap_or("path"), count),
+        }
+    }
+
+    fn displacements(&self, count: usize) -> Result<Vec<Rational>> {
+        let b = self.displacement.as_ref().ok_or_else(|| missing("displacement"))?;
+        if b.len() == count {
+            Ok(b.clone())
+        } else {
+            Err(Error::input(format!(
+                "displacement: {} numbers given: expected one for each of the {count} drones",
+                b.len()
+            )))
+        }
+    }
+
+    fn refuse_fields_foreign_to(&self, protocol: &Protocol) -> Result<()> {
+        let name = protocol.name();
+        let coverage = matches!(protocol, Protocol::Coverage { .. });
+        let foreign = [
+            ("graph", coverage && (self.graph.is_some() || self.edges.is_some())),
+            ("displacement", self.displacement.is_some() && name != "formation"),
+        ];
+        for (field, is_foreign) in foreign {
+            if is_foreign {
+                return Err(Error::input(format!("{field}: not a field of protocol `{name}`")));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn missing(field: &str) -> Error {
+    Error::input(format!("{field} is missing: expected it in the scenario file or as a flag"))
+}

@@ -1,0 +1,169 @@
+//! Scenario files (TOML).
+
+use std::ops::Range;
+use std::path::Path;
+
+use cordon_spec::Phase;
+use serde::Deserialize;
+use toml::{Spanned, Value};
+
+use super::flight_file::{self, FaultTable, FlightTable, UnitTable};
+use super::{Draft, Start};
+use cordon_core::exact::{self, Rational};
+use cordon_core::{Error, Result, files};
+
+/// A scenario file as written. Numbers keep their place, so that they can be read exactly
+/// from the text (`0.2` is 1/5) and errors can point at them.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Document {
+    title: Option<String>,
+    protocol: Option<String>,
+    min: Option<Spanned<Value>>,
+    max: Option<Spanned<Value>>,
+    drones: Option<usize>,
+    start: Option<Vec<Spanned<Value>>>,
+    spread_to: Option<Spanned<Value>>,
+    #[serde(alias = "eps")]
+    weight: Option<Spanned<Value>>,
+    period: Option<u32>,
+    phase: Option<Spanned<String>>,
+    tau: Option<Spanned<Value>>,
+    steps: Option<u64>,
+    graph: Option<Spanned<Value>>,
+    displacement: Option<Vec<Spanned<Value>>>,
+    #[serde(default)]
+    flight: FlightTable,
+    #[serde(default)]
+    fault: Vec<FaultTable>,
+    #[serde(default)]
+    unit: Vec<UnitTable>,
+}
+
+/// Reads a scenario file.
+///
+/// # Errors
+/// The file cannot be read; it is no TOML, has an unknown key or a value of the wrong kind: the
+/// message has file, line and column.
+pub fn read(path: &Path) -> Result<Draft> {
+    parse(&path.display().to_string(), &files::read_text(path)?)
+}
+
+/// Reads a scenario from text; `name` stands for the file in messages.
+///
+/// # Errors
+/// As [`read`], for the text.
+pub fn parse(name: &str, text: &str) -> Result<Draft> {
+    let source = Source { name, text };
+    let doc: Document = toml::from_str(text).map_err(|e| {
+        let at = e.span().unwrap_or(0..0);
+        source.error(&at, e.message().trim_end())
+    })?;
+    let number = |field: &str, value: Option<Spanned<Value>>| {
+        value.map(|v| source.number(field, &v)).transpose()
+    };
+    let numbers = |field: &str, list: Option<Vec<Spanned<Value>>>| {
+        list.map(|l| l.iter().map(|v| source.number(field, v)).collect::<Result<Vec<_>>>())
+            .transpose()
+    };
+    let spread_to = number("spread_to", doc.spread_to)?;
+    let start = match (numbers("start", doc.start)?, spread_to) {
+        (Some(_), Some(_)) => {
+            return Err(Error::input(format!("{name}: start and spread_to: expected one of them")));
+        }
+        (Some(list), None) => Some(Start::Listed(list)),
+        (None, to) => to.map(Start::SpreadTo),
+    };
+    let (graph, edges) = match doc.graph {
+        None => (None, None),
+        Some(value) => source.graph(&value)?,
+    };
+    Ok(Draft {
+        title: doc.title,
+        protocol: doc.protocol,
+        min: number("min", doc.min)?,
+        max: number("max", doc.max)?,
+        drones: doc.drones,
+        start,
+        weight: number("weight", doc.weight)?,
+        period: doc.period,
+        phase: doc.phase.map(|p| source.phase(&p)).transpose()?,
+        tau: number("tau", doc.tau)?,
+        steps: doc.steps,
+        graph,
+        edges,
+        displacement: numbers("displacement", doc.displacement)?,
+        flight: flight_file::flight(&source, doc.flight, &doc.fault, doc.unit)?,
+    })
+}
+
+/// The file's name and text, for errors that point into it.
+pub struct Source<'t> {
+    /// The file's name, as messages give it.
+    pub name: &'t str,
+    /// All of its text.
+    pub text: &'t str,
+}
+
+/// A graph by name, or by its edges.
+pub type GraphFields = (Option<String>, Option<Vec<(usize, usize)>>);
+
+impl Source<'_> {
+    /// An error that points at a place of the text, by line and column.
+    pub fn error(&self, at: &Range<usize>, message: &str) -> Error {
+        let before = self.text.get(..at.start).unwrap_or_default();
+        let line = before.matches('\n').count() + 1;
+        let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
+        Error::input(format!("{}:{line}:{column}: {message}", self.name))
+    }
+
+    /// A number of the file, read exactly: an integer, a decimal or a fraction in quotes.
+    ///
+    /// # Errors
+    /// It is no number.
+    pub fn number(&self, field: &str, value: &Spanned<Value>) -> Result<Rational> {
+        let written = match value.get_ref() {
+            Value::String(s) => s.clone(),
+            Value::Integer(n) => n.to_string(),
+            // The digits as written, before they became a double.
+            Value::Float(_) => self.text.get(value.span()).unwrap_or_default().replace('_', ""),
+            other => {
+                let message = format!("{field}: expected a number, found {}", other.type_str());
+                return Err(self.error(&value.span(), &message));
+            }
+        };
+        exact::parse(field, &written).map_err(|e| self.error(&value.span(), &e.to_string()))
+    }
+
+    fn phase(&self, value: &Spanned<String>) -> Result<Phase> {
+        match value.get_ref().as_str() {
+            "first" => Ok(Phase::First),
+            "last" => Ok(Phase::Last),
+            other => {
+                let message = format!("phase: `{other}`: expected `first` or `last`");
+                Err(self.error(&value.span(), &message))
+            }
+        }
+    }
+
+    /// A graph: its name, or its edges.
+    ///
+    /// # Errors
+    /// It is neither.
+    pub fn graph(&self, value: &Spanned<Value>) -> Result<GraphFields> {
+        let fail = || self.error(&value.span(), "graph: expected a name or a list of pairs");
+        match value.get_ref() {
+            Value::String(name) => Ok((Some(name.clone()), None)),
+            Value::Array(pairs) => {
+                let index = |v: &Value| v.as_integer().and_then(|n| usize::try_from(n).ok());
+                let pair = |v: &Value| match v.as_array().map(Vec::as_slice) {
+                    Some([a, b]) => index(a).zip(index(b)),
+                    _ => None,
+                };
+                let edges: Option<Vec<_>> = pairs.iter().map(pair).collect();
+                Ok((None, Some(edges.ok_or_else(fail)?)))
+            }
+            _ => Err(fail()),
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! The tables `[flight]` and `[[fault]]` of a scenario file.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+use toml::{Spanned, Value};
+
+use super::file::Source;
+use super::flight::{Fault, FaultKind, Flight, Substitute, UnitName};
+use cordon_core::Result;
+use cordon_core::exact::Rational;
+
+/// The table `[flight]` as written.
+#[derive(Deserialize, Default)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FlightTable {
+    #[serde(rename = "lambda_P", alias = "lambda_p")]
+    lambda_p: Option<Spanned<Value>>,
+    #[serde(rename = "lambda_A", alias = "lambda_a")]
+    lambda_a: Option<Spanned<Value>>,
+    integrator: Option<String>,
+    master: Option<String>,
+    exchange: Option<String>,
+    on_loss: Option<String>,
+    duration: Option<Spanned<Value>>,
+    start: Option<Vec<Spanned<Value>>>,
+    z_d: Option<Spanned<Value>>,
+    seed: Option<u64>,
+}
+
+/// A table `[[fault]]` as written.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FaultTable {
+    kind: Spanned<String>,
+    link: Option<(usize, usize)>,
+    probability: Option<Spanned<Value>>,
+    ticks: Option<u32>,
+    drone: Option<usize>,
+    from: Option<Spanned<Value>>,
+    until: Option<Spanned<Value>>,
+}
+
+/// A table `[[unit]]` as written.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct UnitTable {
+    drone: usize,
+    unit: Spanned<String>,
+    fmu: PathBuf,
+    #[serde(default)]
+    names: BTreeMap<String, String>,
+}
+
+/// The flight that a file describes.
+pub(super) fn flight(
+    source: &Source<'_>,
+    table: FlightTable,
+    faults: &[FaultTable],
+    units: Vec<UnitTable>,
+) -> Result<Flight> {
+    let number = |field: &str, value: &Option<Spanned<Value>>| -> Result<Option<Rational>> {
+        value.as_ref().map(|v| source.number(field, v)).transpose()
+    };
+    let start = table.start.as_ref().map(|list| {
+        list.iter().map(|v| source.number("flight.start", v)).collect::<Result<Vec<_>>>()
+    });
+    Ok(Flight {
+        lambda_p: number("lambda_P", &table.lambda_p)?,
+        lambda_a: number("lambda_A", &table.lambda_a)?,
+        duration: number("duration", &table.duration)?,
+        z_d: number("z_d", &table.z_d)?,
+        start: start.transpose()?,
+        integrator: table.integrator,
+        master: table.master,
+        exchange: table.exchange,
+        on_loss: table.on_loss,
+        seed: table.seed,
+        faults: faults.iter().map(|f| fault(source, f)).collect::<Result<_>>()?,
+        units: units.into_iter().map(|u| substitute(source, u)).collect::<Result<_>>()?,
+    })
+}
+
+fn fault(source: &Source<'_>, t: &FaultTable) -> Result<Fault> {
+    let at = t.kind.span();
+    let name = t.kind.get_ref().as_str();
+    let number = |field: &str, value: &Option<Spanned<Value>>| -> Result<Option<Rational>> {
+        value.as_ref().map(|v| source.number(field, v)).transpose()
+    };
+    let wants: &[&str] = match name {
+        "loss" => &["link", "probability"],
+        "delay" => &["link", "ticks"],
+        "drop-out" => &["drone"],
+        other => {
+            let message =
+                format!("fault: `{other}` is unknown: expected `loss`, `delay` or `drop-out`");
+            return Err(source.error(&at, &message));
+        }
+    };
+    let given = [
+        ("link", t.link.is_some()),
+        ("probability", t.probability.is_some()),
+        ("ticks", t.ticks.is_some()),
+        ("drone", t.drone.is_some()),
+    ];
+    if let Some((field, _)) = given.iter().find(|(field, is)| *is && !wants.contains(field)) {
+        return Err(source.error(&at, &format!("fault: `{field}` is no field of a `{name}`")));
+    }
+    let missing = |field: &str| source.error(&at, &format!("fault: {field} is missing"));
+    let kind = match name {
+        "loss" => FaultKind::Loss {
+            link: t.link,
+            probability: number("probability", &t.probability)?
+                .ok_or_else(|| missing("probability"))?,
+        },
+        "delay" => {
+            FaultKind::Delay { link: t.link, ticks: t.ticks.ok_or_else(|| missing("ticks"))? }
+        }
+        _ => FaultKind::DropOut { drone: t.drone.ok_or_else(|| missing("drone"))? },
+    };
+    Ok(Fault { kind, from: number("from", &t.from)?, until: number("until", &t.until)? })
+}
+
+/// FMUs are looked for beside the scenario file.
+fn substitute(source: &Source<'_>, t: UnitTable) -> Result<Substitute> {
+    let name = t.unit.get_ref().as_str();
+    let unit = UnitName::ALL.into_iter().find(|u| u.name() == name).ok_or_else(|| {
+        let message =
+            format!("unit: `{name}` is unknown: expected `coordination`, `control` or `plant`");
+        source.error(&t.unit.span(), &message)
+    })?;
+    let fmu = match Path::new(source.name).parent() {
+        Some(folder) => folder.join(t.fmu),
+        None => t.fmu,
+    };
+    Ok(Substitute { drone: t.drone, unit, fmu, names: t.names })
+}

@@ -1,0 +1,132 @@
+//! What to run: a protocol, its parameters and a start.
+//!
+//! A scenario comes from a TOML file ([`file`]), from flags, or from a file with flags in its
+//! place ([`Draft`]); [`Draft::finish`] is the one place that checks it.
+
+mod draft;
+pub mod file;
+mod flight;
+mod flight_file;
+mod graph;
+
+use cordon_spec::theorems::Setting;
+use cordon_spec::{Params, Phase, State};
+
+pub use draft::{Draft, Start};
+pub use file::{parse, read};
+pub use flight::{Fault, FaultKind, Flight, Substitute, UnitName};
+pub use graph::Topology;
+
+use cordon_core::Rational;
+
+/// Fewest drones of a scenario: two ends and an internal drone (definition 1 of the paper's
+/// section 7.1).
+pub const MIN_DRONES: usize = 3;
+
+/// Most drones of a scenario: exact positions of more would not fit a terminal or a memory.
+pub const MAX_DRONES: usize = 1_000_000;
+
+/// How the drones move.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Protocol {
+    /// Equation 10 on the segment \[min, max\].
+    Coverage {
+        /// Left end.
+        min: Rational,
+        /// Right end.
+        max: Rational,
+    },
+    /// Equation 6.
+    Consensus {
+        /// Who hears whom.
+        graph: Topology,
+    },
+    /// Equation 8.
+    Formation {
+        /// Who hears whom.
+        graph: Topology,
+        /// Sum of the wanted displacements of each drone from its neighbours.
+        displacement: Vec<Rational>,
+    },
+}
+
+impl Protocol {
+    /// The protocol's name in scenario files and output.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Coverage { .. } => "coverage",
+            Self::Consensus { .. } => "consensus",
+            Self::Formation { .. } => "formation",
+        }
+    }
+}
+
+/// A checked scenario: N >= 3 drones, consistent lengths, `min < max`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Scenario {
+    /// What the scenario is about, for people.
+    pub title: String,
+    /// How the drones move.
+    pub protocol: Protocol,
+    /// Position of every drone at the start.
+    pub start: Vec<Rational>,
+    /// Weight eps of the neighbours in the update, dimensionless.
+    pub weight: Rational,
+    /// Ticks from update to update, at least 1.
+    pub period: u32,
+    /// Which tick the first update falls in.
+    pub phase: Phase,
+    /// Length of a tick in seconds, where the scenario has a clock.
+    pub tau: Option<Rational>,
+    /// How many protocol steps a trace shows unless told otherwise.
+    pub steps: u64,
+}
+
+impl Scenario {
+    /// The number of drones N.
+    pub fn count(&self) -> usize {
+        self.start.len()
+    }
+
+    /// The largest value `n` of the tick counter.
+    pub fn counter_limit(&self) -> u32 {
+        self.period - 1
+    }
+
+    /// The spec's initial state.
+    pub fn initial(&self) -> State<Vec<Rational>> {
+        State::initial(self.start.clone(), self.counter_limit(), self.phase)
+    }
+
+    /// The spec's parameters for coverage of the segment \[min, max\].
+    pub fn coverage_params(&self, min: &Rational, max: &Rational) -> Params<Rational> {
+        Params {
+            min: min.clone(),
+            max: max.clone(),
+            eps: self.weight.clone(),
+            n: self.counter_limit(),
+        }
+    }
+
+    /// The spec's parameters, where the protocol is coverage.
+    pub fn params(&self) -> Option<Params<Rational>> {
+        match &self.protocol {
+            Protocol::Coverage { min, max } => Some(self.coverage_params(min, max)),
+            _ => None,
+        }
+    }
+
+    /// What the theorems speak about, where the protocol is coverage.
+    pub fn setting(&self) -> Option<Setting<Rational>> {
+        self.params().map(|p| Setting::from(&p))
+    }
+
+    /// The tick in which protocol step `k >= 1` happens.
+    pub fn tick_of_step(&self, k: u64) -> Option<u64> {
+        let first = match self.phase {
+            Phase::First => 1,
+            Phase::Last => u64::from(self.period),
+        };
+        k.checked_sub(1)?.checked_mul(self.period.into())?.checked_add(first)
+    }
+}

@@ -1,0 +1,59 @@
+//! The simulation engine: the spec, executed tick by tick on exact rationals.
+
+use cordon_spec::State;
+use cordon_spec::consensus::exec_consensus;
+use cordon_spec::coverage::tick;
+use cordon_spec::formation::exec_formation;
+
+use crate::scenario::{Protocol, Scenario};
+use cordon_core::Rational;
+
+/// The swarm after some ticks.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Snapshot {
+    /// Ticks so far.
+    pub tick: u64,
+    /// Protocol steps so far.
+    pub step: u64,
+    /// Placement and tick counter.
+    pub state: State<Vec<Rational>>,
+}
+
+/// The run of a scenario: the initial state, then the state after every tick, without end.
+#[derive(Clone, Debug)]
+pub struct Run<'s> {
+    scenario: &'s Scenario,
+    next: Option<Snapshot>,
+}
+
+/// Starts the run of a scenario.
+pub fn run(scenario: &Scenario) -> Run<'_> {
+    Run { scenario, next: Some(Snapshot { tick: 0, step: 0, state: scenario.initial() }) }
+}
+
+impl Iterator for Run<'_> {
+    type Item = Snapshot;
+
+    fn next(&mut self) -> Option<Snapshot> {
+        let now = self.next.take()?;
+        let fires = now.state.timesteps == self.scenario.counter_limit();
+        self.next = Some(Snapshot {
+            tick: now.tick.checked_add(1)?,
+            step: now.step + u64::from(fires),
+            state: after_tick(self.scenario, now.state.clone()),
+        });
+        Some(now)
+    }
+}
+
+/// One tick of the scenario's protocol.
+fn after_tick(scenario: &Scenario, s: State<Vec<Rational>>) -> State<Vec<Rational>> {
+    let (eps, n) = (&scenario.weight, scenario.counter_limit());
+    match &scenario.protocol {
+        Protocol::Coverage { min, max } => tick(&scenario.coverage_params(min, max), s),
+        Protocol::Consensus { graph } => s.tick_with(n, |x| exec_consensus(eps, graph, x)),
+        Protocol::Formation { graph, displacement } => {
+            s.tick_with(n, |x| exec_formation(eps, graph, x, displacement))
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! Theorems checked along a run.
+
+use std::collections::{BTreeMap, VecDeque};
+
+use cordon_spec::State;
+use cordon_spec::placement::{scaled_energy, scaled_target, sum};
+use cordon_spec::theorems::{Form, Setting, Subject, Theorem, Truth, Verdict, Violation};
+
+use crate::scenario::Scenario;
+use crate::simulate;
+use cordon_core::exact::Rational;
+use cordon_core::{Error, Outcome, Result};
+
+/// What a check found of one theorem along one run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Checked {
+    /// The theorem.
+    pub theorem: Theorem,
+    /// The form whose hypothesis and conclusion were used.
+    pub form: Form,
+    /// Whether the weight is in the theorem's range. A violation outside it refutes no
+    /// theorem; it shows why the range is needed.
+    pub weight_in_range: bool,
+    /// Verdict at every step from 0 to the last.
+    pub verdicts: BTreeMap<u64, Verdict>,
+    /// The first violation: its step, and what fails there in words with exact values.
+    pub first_violation: Option<(u64, String)>,
+}
+
+impl Checked {
+    /// Refuted where a step violates the conclusion.
+    pub fn outcome(&self) -> Outcome {
+        if self.first_violation.is_some() { Outcome::Refuted } else { Outcome::Holds }
+    }
+
+    /// How many steps meet the theorem's premise.
+    pub fn met(&self) -> usize {
+        self.verdicts.values().filter(|v| **v == Verdict::Holds).count()
+    }
+}
+
+/// Checks the theorems at every protocol step from 0 to `last`.
+///
+/// # Errors
+/// The protocol is not coverage, or the start is not in a theorem's set of starts.
+pub fn check(
+    scenario: &Scenario,
+    theorems: &[Theorem],
+    form: Form,
+    last: u64,
+) -> Result<Vec<Checked>> {
+    let Some(setting) = scenario.setting() else {
+        return Err(Error::input(format!(
+            "check: expected protocol `coverage`, which the theorems are about, found `{}`",
+            scenario.protocol.name()
+        )));
+    };
+    let mut checks = Vec::new();
+    for &theorem in theorems {
+        require_start(theorem, form, &setting, &scenario.start)?;
+        let weights = theorem.hypothesis(form).weights;
+        let in_range = weights.contains(&setting.eps_num, &setting.eps_den, scenario.count());
+        checks.push(Checked {
+            theorem,
+            form,
+            weight_in_range: in_range.is_true(),
+            verdicts: BTreeMap::new(),
+            first_violation: None,
+        });
+    }
+    let span = |t: Theorem| t.span(form, scenario.count());
+    let longest = theorems.iter().map(|&t| span(t)).max().unwrap_or(0);
+    let mut window: VecDeque<Vec<Rational>> = VecDeque::new();
+    let mut step = 0;
+    for placement in placements(scenario) {
+        window.push_back(placement);
+        if window.len() <= longest {
+            continue;
+        }
+        let run = window.make_contiguous();
+        for c in &mut checks {
+            let verdict = c.theorem.conclusion(form, &setting, run);
+            if let (Verdict::Violated(v), None) = (verdict, &c.first_violation) {
+                c.first_violation = Some((step, explain(c.theorem, &setting, run, step, v)));
+            }
+            c.verdicts.insert(step, verdict);
+        }
+        window.pop_front();
+        if step == last {
+            break;
+        }
+        step += 1;
+    }
+    Ok(checks)
+}
+
+/// X^0, X^1, ...: the placements without the ticks between.
+fn placements(scenario: &Scenario) -> impl Iterator<Item = Vec<Rational>> {
+    let mut last = None;
+    simulate::run(scenario).filter_map(move |s| {
+        let new = last != Some(s.step);
+        last = Some(s.step);
+        let State { drones, .. } = s.state;
+        new.then_some(drones)
+    })
+}
+
+fn require_start(
+    theorem: Theorem,
+    form: Form,
+    setting: &Setting<Rational>,
+    start: &[Rational],
+) -> Result<()> {
+    let starts = theorem.hypothesis(form).starts;
+    if starts.contains(setting, start) == Truth::True {
+        return Ok(());
+    }
+    let shown: Vec<_> = start.iter().take(12).map(ToString::to_string).collect();
+    let dots = if start.len() > 12 { ", ..." } else { "" };
+    Err(Error::input(format!(
+        "start: `{}{dots}`: theorem {} in its {} form is about starts with {}",
+        shown.join(", "),
+        theorem.text().number,
+        form.label(),
+        starts.text()
+    )))
+}
+
+/// The violation in words, with exact values. `run` begins with the placement of `step`.
+fn explain(
+    theorem: Theorem,
+    setting: &Setting<Rational>,
+    run: &[Vec<Rational>],
+    step: u64,
+    violation: Violation,
+) -> String {
+    let Some(x) = run.get(violation.step) else {
+        return theorem.text().name.to_owned();
+    };
+    let at = step + violation.step as u64;
+    let position = |i: usize| x.get(i).map_or_else(String::new, ToString::to_string);
+    match violation.subject {
+        Subject::Pair(i) => {
+            let j = i + 1;
+            let (a, b) = (position(i), position(j));
+            format!("at step {at} drones {i} and {j}: X_{i} = {a} is not below X_{j} = {b}")
+        }
+        Subject::Drone(i) => {
+            let gaps = Rational::from_integer((x.len() - 1).into());
+            let target = scaled_target(&setting.min, &setting.max, x.len(), i) / gaps;
+            format!("at step {at} drone {i}: X_{i} = {}, target T_{i} = {target}", position(i))
+        }
+        Subject::Sum => {
+            let value =
+                |(h, x): (usize, &Vec<Rational>)| format!("c^{} = {}", step + h as u64, sum(x));
+            let sums: Vec<_> = run.iter().enumerate().map(value).collect();
+            format!("at step {at} the sum of the positions: {}", sums.join(", "))
+        }
+        Subject::Energy => {
+            let energy = |x: &[Rational]| scaled_energy(&setting.min, &setting.max, x).to_string();
+            let values: Vec<_> = run.iter().take(2).map(|x| energy(x)).collect();
+            format!(
+                "at step {at} the sum of the squared errors, times (N-1)^2, does not fall: {}",
+                values.join(", then ")
+            )
+        }
+    }
+}

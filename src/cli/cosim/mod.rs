@@ -1,0 +1,184 @@
+//! `cordon cosim`.
+
+mod summary;
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::cli::choice::{Choice, choice};
+use crate::cli::scenario_args::ScenarioArgs;
+use cordon_core::exact;
+use cordon_core::{Error, Outcome, Result};
+use cordon_cosim::fmi::import::substitute;
+use cordon_cosim::record::Record;
+use cordon_cosim::store::{self, Format};
+use cordon_cosim::swarm::Swarm;
+use cordon_cosim::{exact_run, run as engine};
+use cordon_run::scenario::Flight;
+
+/// Arguments of `cordon cosim`.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    #[command(flatten)]
+    scenario: ScenarioArgs,
+    #[command(flatten)]
+    flight: FlightArgs,
+    /// Write the run into this file; the summary goes to stdout
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Form of the run [default: by the name of `--out`; without it a summary is printed]
+    #[arg(long, value_parser = choice::<Format>())]
+    format: Option<Format>,
+    /// Show progress on stderr
+    #[arg(long)]
+    progress: bool,
+    /// Also run in exact arithmetic and report how far the doubles are off
+    #[arg(long)]
+    exact: bool,
+}
+
+/// The flags of a co-simulation.
+#[derive(clap::Args, Debug, Default)]
+pub struct FlightArgs {
+    /// Length of the run in seconds [default: 25]
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true, help_heading = "Flight")]
+    duration: Option<String>,
+    /// Plant integrator: euler or exact [default: euler]
+    #[arg(long, value_name = "NAME", help_heading = "Flight")]
+    integrator: Option<String>,
+    /// Master: jacobi or gauss-seidel [default: jacobi]
+    #[arg(long, value_name = "NAME", help_heading = "Flight")]
+    master: Option<String>,
+    /// How positions travel between drones: exact or double [default: exact]
+    #[arg(long, value_name = "NAME", help_heading = "Flight")]
+    exchange: Option<String>,
+    /// Seed of the random faults [default: 0]
+    #[arg(long, value_name = "NUMBER", help_heading = "Flight")]
+    seed: Option<u64>,
+    /// Arithmetic of the authors' recorded runs, to the last bit
+    #[arg(long, value_enum, help_heading = "Flight")]
+    compat: Option<Compat>,
+}
+
+/// Known arithmetics of old.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Compat {
+    /// The authors' recorded runs
+    Recorded,
+}
+
+impl FlightArgs {
+    /// Refuses these flags where a run that was flown already is read from a file.
+    ///
+    /// # Errors
+    /// One of them is given.
+    pub(in crate::cli) fn refuse_for(&self, run: &Path) -> Result<()> {
+        let given = [
+            ("duration", self.duration.is_some()),
+            ("integrator", self.integrator.is_some()),
+            ("master", self.master.is_some()),
+            ("exchange", self.exchange.is_some()),
+            ("seed", self.seed.is_some()),
+            ("compat", self.compat.is_some()),
+        ];
+        match given.iter().find(|(_, is)| *is) {
+            Some((flag, _)) => Err(Error::input(format!(
+                "{flag}: expected a scenario to fly, found a run, `{}`",
+                run.display()
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// The swarm that a scenario and these flags describe.
+    ///
+    /// # Errors
+    /// The scenario cannot be read, or a field is wrong.
+    pub(in crate::cli) fn swarm(&self, scenario: &ScenarioArgs) -> Result<Swarm> {
+        let (checked, flight) = scenario.scenario_and_flight()?;
+        let flags = Flight {
+            duration: self.duration.as_deref().map(|t| exact::parse("duration", t)).transpose()?,
+            integrator: self.integrator.clone(),
+            master: self.master.clone(),
+            exchange: self.exchange.clone(),
+            seed: self.seed,
+            ..Flight::default()
+        };
+        let mut swarm = scenario.in_file(Swarm::new(checked, flight.replaced_by(flags)))?;
+        swarm.load = substitute;
+        match self.compat {
+            Some(Compat::Recorded) => swarm.as_recorded(),
+            None => Ok(swarm),
+        }
+    }
+}
+
+/// Runs the co-simulation.
+pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    let swarm = args.flight.swarm(&args.scenario)?;
+    let record = flown(&swarm, args.progress)?;
+    let difference = match args.exact {
+        true if !swarm.units.is_empty() => {
+            return Err(Error::input(
+                "exact: expected units of this program: FMUs compute in doubles",
+            ));
+        }
+        true => Some(exact_run::difference(&swarm, &record)?),
+        false => None,
+    };
+    let mut about = Vec::new();
+    summary::text(&record, &mut about)?;
+    if let Some(d) = &difference {
+        writeln!(about, "\n{d}")?;
+    }
+    match (&args.out, args.format) {
+        (Some(path), format) => {
+            store::save(&record, format.unwrap_or(Format::of(path)), path)?;
+            out.write_all(&about)?;
+        }
+        (None, Some(format)) => {
+            store::write(&record, format, out)?;
+            // stdout carries the run alone.
+            eprint_all(&about);
+        }
+        (None, None) => out.write_all(&about)?,
+    }
+    Ok(Outcome::Holds)
+}
+
+fn eprint_all(text: &[u8]) {
+    // Nothing is left to be done where stderr is closed.
+    let _ = std::io::stderr().write_all(text);
+}
+
+fn flown(swarm: &Swarm, progress: bool) -> Result<Record> {
+    if !progress {
+        return engine::run(swarm, |_| {});
+    }
+    let bar = ProgressBar::new(swarm.grid.steps());
+    // A template of its own that does not parse falls back to the usual bar.
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} step {pos} of {len}, {eta} left") {
+        bar.set_style(style);
+    }
+    let record = engine::run(swarm, |step| bar.set_position(step));
+    bar.finish_and_clear();
+    record
+}
+
+impl Choice for Format {
+    const ALL: &'static [(&'static str, Self, &'static str)] = &[
+        ("csv", Self::Csv, "Comma-separated values: time, desired and actual positions"),
+        (
+            "json",
+            Self::Json,
+            "JSON, schema cordon-cosim/1, with collisions and violations of the order",
+        ),
+        (
+            "parquet",
+            Self::Parquet,
+            "Apache Parquet, the columns of the CSV (needs the cargo feature `parquet`)",
+        ),
+    ];
+}

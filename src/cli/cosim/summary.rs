@@ -1,0 +1,108 @@
+//! A run in words: where the drones are every few seconds, and what happened to them.
+
+use std::io::Write;
+
+use comfy_table::{CellAlignment, Table, presets};
+
+use cordon_core::Result;
+use cordon_cosim::collision::{Event, EventKind};
+use cordon_cosim::record::Record;
+
+/// Rows of the table, about.
+const ROWS: usize = 10;
+
+/// Events that are listed; the rest is counted.
+const LISTED: usize = 12;
+
+/// Writes a table of desired and actual positions and the events.
+///
+/// # Errors
+/// `out` cannot be written.
+pub fn text(record: &Record, out: &mut dyn Write) -> Result<()> {
+    writeln!(out, "{}", record.title)?;
+    if let Some(s) = &record.setup {
+        write!(out, "{}", s.protocol)?;
+        if let Some((min, max)) = &s.segment {
+            write!(out, " of [{min}, {max}]")?;
+        }
+        write!(out, ", N = {}, eps = {}, an update every ", record.count, s.weight)?;
+        match s.period {
+            1 => write!(out, "tick")?,
+            n => write!(out, "{n} ticks")?,
+        }
+        writeln!(out, " of {} s; {} plant, {} master", s.tau, s.integrator, s.master)?;
+    }
+    writeln!(out)?;
+    table(record, out)?;
+    events(record, out)
+}
+
+fn table(record: &Record, out: &mut dyn Write) -> Result<()> {
+    let shown = record.count.min(8);
+    let last = record.rows().saturating_sub(1);
+    let every = (last / ROWS).max(1);
+    let mut table = Table::new();
+    table.load_preset(presets::NOTHING);
+    let mut head = vec!["t [s]".to_owned()];
+    head.extend((0..shown).map(|i| format!("x_d{i}")));
+    head.extend((0..shown).map(|i| format!("x{i}")));
+    table.set_header(head);
+    let rows = (0..=last).filter(|row| row % every == 0 || *row == last);
+    for row in rows {
+        let time = record.times.get(row).copied().unwrap_or_default();
+        let mut cells = vec![format!("{time:.2}")];
+        for positions in [record.desired_at(row), record.actual_at(row)] {
+            cells.extend(positions.iter().take(shown).map(|x| format!("{x:.2}")));
+        }
+        table.add_row(cells);
+    }
+    for column in table.column_iter_mut() {
+        column.set_cell_alignment(CellAlignment::Right);
+        column.set_padding((0, 2));
+    }
+    for line in table.lines() {
+        writeln!(out, "{}", line.trim_end())?;
+    }
+    if shown < record.count {
+        writeln!(
+            out,
+            "(the first {shown} of {} drones; desired x_d, actual x, in m)",
+            record.count
+        )?;
+    } else {
+        writeln!(out, "(desired x_d and actual x, in m)")?;
+    }
+    Ok(())
+}
+
+fn events(record: &Record, out: &mut dyn Write) -> Result<()> {
+    let Some(events) = &record.events else {
+        return Ok(());
+    };
+    writeln!(out)?;
+    let count = |kind| events.iter().filter(|e| e.kind == kind).count();
+    if count(EventKind::Collision) == 0 {
+        writeln!(out, "no collision, at the grid points and between them (this run only)")?;
+    }
+    if count(EventKind::OrderLost) == 0 {
+        writeln!(out, "the drones stay in order (this run only)")?;
+    }
+    for event in events.iter().take(LISTED) {
+        writeln!(out, "{}", sentence(event))?;
+    }
+    if events.len() > LISTED {
+        writeln!(out, "and {} more", events.len() - LISTED)?;
+    }
+    Ok(())
+}
+
+/// An event in words.
+pub fn sentence(event: &Event) -> String {
+    let (i, j) = event.drones;
+    let what = match event.kind {
+        EventKind::Collision => "collide",
+        EventKind::OrderLost => "lose their order",
+        EventKind::OrderRestored => "are in order again",
+    };
+    format!("at {:.4} s drones {i} and {j} {what}", event.time)
+}

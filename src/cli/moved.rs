@@ -1,0 +1,17 @@
+//! Commands that need the repository, and moved into it.
+
+use cordon_core::Error;
+
+/// Whatever a call of old was given.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true, hide = true)]
+    _rest: Vec<String>,
+}
+
+/// Says where the command is now.
+pub(super) fn to(name: &str) -> Error {
+    Error::input(format!(
+        "`cordon {name}` works inside the repository only: expected `cargo xtask {name}`, in its folder"
+    ))
+}

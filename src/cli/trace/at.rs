@@ -1,0 +1,221 @@
+//! `cordon trace --at`: chosen steps, without the steps between.
+
+use std::io::Write;
+
+use comfy_table::{CellAlignment, Table, presets};
+use serde_json::json;
+
+use cordon_core::{Error, Outcome, Result};
+use cordon_run::fast::verify::{self, Verification};
+use cordon_run::fast::{Answer, Engine, Rule, digits, engine};
+use cordon_run::scenario::Scenario;
+use cordon_run::trace::{Row, Selection, Trace, Unit};
+
+/// The flags of `cordon trace` that jump to chosen steps.
+#[derive(clap::Args, Clone, Debug, Default)]
+pub struct AtArgs {
+    /// Only these protocol steps, in this order, without the steps between (coverage, and
+    /// consensus on the path)
+    #[arg(
+        long,
+        value_name = "K,...",
+        value_delimiter = ',',
+        conflicts_with_all = ["steps", "ticks", "from", "to", "every", "check", "plot"],
+        help_heading = "Chosen steps"
+    )]
+    pub at: Vec<u64>,
+    /// How chosen steps are computed
+    #[arg(long, value_enum, requires = "at", default_value_t, help_heading = "Chosen steps")]
+    pub engine: Method,
+    /// Compare with the plain spec modulo random primes, as many as given
+    #[arg(
+        long,
+        value_name = "PRIMES",
+        requires = "at",
+        num_args = 0..=1,
+        default_missing_value = "3",
+        value_parser = clap::value_parser!(u8).range(1..=64),
+        help_heading = "Chosen steps"
+    )]
+    pub verify: Option<u8>,
+    /// Seed of the random primes [default: a fresh one, printed]
+    #[arg(long, value_name = "SEED", requires = "verify", help_heading = "Chosen steps")]
+    pub seed: Option<u64>,
+}
+
+/// The engines that a user can choose.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// Exact, by the engine that is expected to be faster
+    #[default]
+    Auto,
+    /// Exact: every step
+    Step,
+    /// Exact: no steps between
+    Jump,
+    /// Decimals of which every digit is certain, for any number of steps
+    Digits,
+}
+
+impl Method {
+    /// The exact engine, if it is one.
+    fn exact(self) -> Option<Engine> {
+        match self {
+            Self::Auto => Some(Engine::Auto),
+            Self::Step => Some(Engine::Step),
+            Self::Jump => Some(Engine::Jump),
+            Self::Digits => None,
+        }
+    }
+}
+
+/// Forms of a table of certain digits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// Aligned columns.
+    Table,
+    /// Comma-separated values.
+    Csv,
+    /// JSON, schema `cordon-digits/1`.
+    Json,
+}
+
+/// The exact trace of the chosen steps, and how the check against the spec ended; `None` where
+/// only digits are wanted.
+pub fn exact<'s>(scenario: &'s Scenario, args: &AtArgs) -> Result<Option<(Trace<'s>, Outcome)>> {
+    let Some(chosen) = args.engine.exact() else { return Ok(None) };
+    let rule = Rule::of(scenario)?;
+    let line = rule.line(&scenario.start)?;
+    let answers = engine::positions(&line, &args.at, chosen)?;
+    let outcome = match args.verify {
+        Some(primes) => cross_check(&rule, scenario, &answers, primes, args.seed)?,
+        None => Outcome::Holds,
+    };
+    let rows = answers.iter().map(|answer| row(scenario, answer)).collect::<Result<_>>()?;
+    let (from, to) = (args.at.iter().min(), args.at.iter().max());
+    let selection = Selection {
+        unit: Unit::Steps,
+        from: from.copied().unwrap_or(0),
+        to: to.copied().unwrap_or(0),
+        every: 1,
+    };
+    Ok(Some((Trace { scenario, selection, rows }, outcome)))
+}
+
+fn row(scenario: &Scenario, answer: &Answer) -> Result<Row> {
+    let (tick, timesteps) = tick_of(scenario, answer.k)?;
+    let positions = answer.positions(engine::multiplier());
+    Ok(Row { tick, step: answer.k, timesteps, positions })
+}
+
+/// The tick of a step, and the tick counter after it.
+fn tick_of(scenario: &Scenario, k: u64) -> Result<(u64, u32)> {
+    match k {
+        0 => Ok((0, scenario.initial().timesteps)),
+        k => match scenario.tick_of_step(k) {
+            Some(tick) => Ok((tick, 0)),
+            None => Err(Error::input(format!(
+                "at: `{k}`: expected a step whose tick, {} times as late, fits 64 bits",
+                scenario.period
+            ))),
+        },
+    }
+}
+
+/// Compares with the spec and says so on stderr.
+fn cross_check(
+    rule: &Rule<cordon_core::Rational>,
+    scenario: &Scenario,
+    answers: &[Answer],
+    primes: u8,
+    seed: Option<u64>,
+) -> Result<Outcome> {
+    let seed = seed.unwrap_or_else(verify::fresh_seed);
+    let found = verify::verify(rule, &scenario.start, answers, primes.into(), seed)?;
+    eprint!("{}", report(&found));
+    Ok(if found.disagreement.is_some() { Outcome::Refuted } else { Outcome::Holds })
+}
+
+fn report(found: &Verification) -> String {
+    let primes: Vec<_> = found.primes.iter().map(u64::to_string).collect();
+    let drawn = format!("modulo {}, drawn from --seed {}", primes.join(", "), found.seed);
+    match found.disagreement {
+        None => format!(
+            "verified: all {} residues are those of the plain spec {drawn}\n\
+             chance that a wrong answer passes: at most 2^{:.0}\n",
+            found.compared,
+            found.log2_chance.ceil()
+        ),
+        Some(d) => format!(
+            "NOT verified: step {} of drone {} differs from the plain spec {drawn}: a fault of \
+             this program, please report it\n",
+            d.k, d.drone
+        ),
+    }
+}
+
+/// Writes the chosen steps with as many certain digits as were asked for.
+pub fn certain(
+    scenario: &Scenario,
+    args: &AtArgs,
+    places: usize,
+    shape: Shape,
+    out: &mut dyn Write,
+) -> Result<Outcome> {
+    if args.verify.is_some() {
+        return Err(Error::input(
+            "verify: expected together with the exact engines only: digits are enclosed, not \
+             checked",
+        ));
+    }
+    let line = Rule::of(scenario)?.line(&scenario.start)?;
+    let found = digits::at(&line, &args.at, places, engine::multiplier())?;
+    let decimals = |d: &digits::Digits| -> Vec<String> {
+        d.positions.iter().map(|p| p.decimal.clone()).collect()
+    };
+    match shape {
+        Shape::Json => {
+            let rows: Vec<_> = found
+                .iter()
+                .map(|d| json!({ "step": d.k, "certain_places": d.certain(), "decimals": decimals(d) }))
+                .collect();
+            let page = json!({
+                "schema": "cordon-digits/1",
+                "evidence": "enclosed in fixed point, every digit certain",
+                "places": places,
+                "rows": rows,
+            });
+            writeln!(out, "{page:#}")?;
+        }
+        Shape::Csv => {
+            let head: Vec<_> = (0..scenario.count()).map(|i| format!("x{i}_decimal")).collect();
+            writeln!(out, "step,{}", head.join(","))?;
+            for d in &found {
+                writeln!(out, "{},{}", d.k, decimals(d).join(","))?;
+            }
+        }
+        Shape::Table => {
+            let mut table = Table::new();
+            table.load_preset(presets::NOTHING);
+            let head = (0..scenario.count()).map(|i| format!("x{i}"));
+            table.set_header([String::from("step")].into_iter().chain(head));
+            for d in &found {
+                table.add_row([d.k.to_string()].into_iter().chain(decimals(d)));
+            }
+            for column in table.column_iter_mut() {
+                column.set_cell_alignment(CellAlignment::Right);
+                column.set_padding((0, 2));
+            }
+            for line in table.lines() {
+                writeln!(out, "{}", line.trim_end())?;
+            }
+        }
+    }
+    let short = found.iter().any(|d| d.certain() < places);
+    if short {
+        eprintln!(
+            "some positions have fewer certain places than {places}: those shown are certain"
+        );
+    }
+    Ok(if short { Outcome::Inconclusive } else { Outcome::Holds })
+}

@@ -1,0 +1,152 @@
+//! `cordon trace`.
+
+mod at;
+mod show;
+
+use std::io::Write;
+
+use cordon_spec::theorems::Form;
+
+use crate::cli::scenario_args::ScenarioArgs;
+use crate::cli::select::FormArg;
+use at::{AtArgs, Shape};
+use cordon_core::theorems;
+use cordon_core::{Error, Outcome, Result};
+use cordon_run::scenario::Scenario;
+use cordon_run::trace::{Checked, Selection, Trace, Unit, check, select};
+use show::Numbers;
+
+/// Arguments of `cordon trace`.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    #[command(flatten)]
+    scenario: ScenarioArgs,
+    /// Last protocol step [default: the scenario's, or 20]
+    #[arg(long, value_name = "K", conflicts_with = "ticks")]
+    steps: Option<u64>,
+    /// Count ticks instead of protocol steps, up to this one
+    #[arg(long, value_name = "K")]
+    ticks: Option<u64>,
+    /// First row
+    #[arg(long, value_name = "K", default_value_t = 0)]
+    from: u64,
+    /// Last row [default: the last step or tick]
+    #[arg(long, value_name = "K")]
+    to: Option<u64>,
+    /// Distance from row to row
+    #[arg(long, value_name = "K", default_value_t = 1)]
+    every: u64,
+    /// Theorems to check at every step: numbers like 7.2,7.3 or `all`
+    #[arg(long, value_name = "NUMBERS")]
+    check: Option<String>,
+    /// Form of the checked theorems
+    #[arg(long, value_enum, default_value_t = FormArg::Sharp)]
+    form: FormArg,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    format: Format,
+    /// How numbers are written [default: decimal in tables, both in csv]
+    #[arg(long, value_enum)]
+    numbers: Option<Numbers>,
+    /// Decimal places, rounded half to even
+    #[arg(long, value_name = "D", default_value_t = 4)]
+    digits: usize,
+    /// Draw a small plot below the table
+    #[arg(long)]
+    plot: bool,
+    #[command(flatten)]
+    at: AtArgs,
+}
+
+#[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+enum Format {
+    /// Aligned columns
+    Table,
+    /// Comma-separated values
+    Csv,
+    /// JSON, schema cordon-trace/1
+    Json,
+    /// Informal Trace Format (Apalache, Quint)
+    Itf,
+}
+
+/// Most decimal places: more digits than any use, few enough to print.
+const MAX_DIGITS: usize = 10_000;
+
+/// Prints the trace of a scenario.
+pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    if args.digits > MAX_DIGITS {
+        return Err(Error::input(format!(
+            "digits: `{}`: expected at most {MAX_DIGITS}",
+            args.digits
+        )));
+    }
+    if args.plot && args.format != Format::Table {
+        return Err(Error::input("plot: expected together with the format `table` only"));
+    }
+    if args.check.is_some() && matches!(args.format, Format::Csv | Format::Itf) {
+        return Err(Error::input(
+            "check: expected together with the formats `table` and `json` only",
+        ));
+    }
+    let scenario = args.scenario.scenario()?;
+    if !args.at.at.is_empty() {
+        return chosen_steps(args, &scenario, out);
+    }
+    let (unit, last) = match args.ticks {
+        Some(ticks) => (Unit::Ticks, ticks),
+        None => (Unit::Steps, args.steps.unwrap_or(scenario.steps)),
+    };
+    let selection =
+        Selection { unit, from: args.from, to: args.to.unwrap_or(last), every: args.every };
+    let trace = select(&scenario, selection)?;
+    if args.plot && trace.rows.len() < 2 {
+        return Err(Error::input("plot: expected a selection of at least two rows"));
+    }
+    let form: Form = args.form.into();
+    let checks = match &args.check {
+        Some(list) => {
+            let last_step = trace.rows.last().map_or(0, |r| r.step);
+            check(&scenario, &theorems::named(list)?, form, last_step)?
+        }
+        None => Vec::new(),
+    };
+    print(args, &trace, &checks, out)?;
+    if args.plot {
+        show::plot(&trace, out)?;
+    }
+    Ok(checks.iter().fold(Outcome::Holds, |worst, c| worst.worst(c.outcome())))
+}
+
+/// Writes the trace in the wanted form.
+fn print(args: &Args, trace: &Trace<'_>, checks: &[Checked], out: &mut dyn Write) -> Result<()> {
+    match args.format {
+        Format::Table => {
+            let numbers = args.numbers.unwrap_or(Numbers::Decimal);
+            show::table(trace, checks, numbers, args.digits, out)
+        }
+        Format::Csv => show::csv(trace, args.numbers.unwrap_or(Numbers::Both), args.digits, out),
+        Format::Json => show::json(trace, checks, args.digits, out),
+        Format::Itf => show::itf(trace, out),
+    }
+}
+
+/// `--at`: the chosen steps only.
+fn chosen_steps(args: &Args, scenario: &Scenario, out: &mut dyn Write) -> Result<Outcome> {
+    if let Some((trace, outcome)) = at::exact(scenario, &args.at)? {
+        print(args, &trace, &[], out)?;
+        return Ok(outcome);
+    }
+    let shape = match args.format {
+        Format::Table => Shape::Table,
+        Format::Csv => Shape::Csv,
+        Format::Json => Shape::Json,
+        Format::Itf => {
+            return Err(Error::input("format: `itf`: expected together with exact engines only"));
+        }
+    };
+    if matches!(args.numbers, Some(Numbers::Fraction | Numbers::Both)) {
+        return Err(Error::input("numbers: fractions: expected together with exact engines only"));
+    }
+    at::certain(scenario, &args.at, args.digits, shape, out)
+}

@@ -1,0 +1,212 @@
+//! `cordon cosim`, `figures` and `replay` as a user runs them.
+use std::fs;
+use std::path::Path;
+
+use crate::common::run;
+use serde_json::Value;
+
+fn in_folder(name: &str) -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(name).display().to_string();
+    (folder, path)
+}
+
+fn files_in(folder: &Path) -> usize {
+    fs::read_dir(folder).unwrap().count()
+}
+
+#[test]
+fn a_summary_says_where_the_drones_are_and_what_happened() {
+    let (code, out, err) = run(&["cosim", "scenarios/paper.toml"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(
+        out.contains("10.00  0.00  24.95  49.93  74.95  100.00  0.00  22.05  44.91  69.16  100.00"),
+        "{out}"
+    );
+    assert!(out.contains("no collision, at the grid points and between them (this run only)"));
+    let (code, out, _) = run(&["cosim", "scenarios/paper-unstable.toml", "--exact"]);
+    assert_eq!(code, 0);
+    assert!(out.contains("at 12.5912 s drones 1 and 2 collide\n"), "{out}");
+    assert!(out.contains("largest difference from the run in exact arithmetic: desired "), "{out}");
+}
+
+#[test]
+fn csv_and_json_say_the_same_and_read_back() {
+    let (folder, csv) = in_folder("run.csv");
+    let json = folder.path().join("run.json").display().to_string();
+    let flags = ["cosim", "scenarios/faults.toml", "--out"];
+    assert_eq!(run(&[&flags[..], &[&csv]].concat()).0, 0);
+    assert_eq!(run(&[&flags[..], &[&json, "--progress"]].concat()).0, 0);
+    let (code, printed, said) = run(&["cosim", "scenarios/faults.toml", "--format", "csv"]);
+    assert_eq!(code, 0);
+    assert_eq!(printed, fs::read_to_string(&csv).unwrap());
+    assert!(said.contains("the paper's coverage run with bad radio"));
+    assert_eq!(printed.lines().count(), 402);
+    let page: Value = serde_json::from_str(&fs::read_to_string(&json).unwrap()).unwrap();
+    assert_eq!(page["schema"], "cordon-cosim/1");
+    assert_eq!(page["time"].as_array().unwrap().len(), 401);
+    let row: Vec<f64> =
+        printed.lines().nth(200).unwrap().split(',').map(|x| x.parse().unwrap()).collect();
+    assert_eq!(page["desired"][199][2].as_f64().unwrap(), row[3]);
+    assert_eq!(page["actual"][199][2].as_f64().unwrap(), row[8]);
+    for run_file in [&csv, &json] {
+        let html = folder.path().join("page.html").display().to_string();
+        assert_eq!(run(&["replay", run_file, "--out", &html]).0, 0);
+        assert!(fs::read_to_string(&html).unwrap().contains("</html>"));
+    }
+    assert_eq!(files_in(folder.path()), 3, "nothing temporary is left");
+}
+
+#[test]
+fn bad_runs_are_refused_by_name_and_leave_nothing() {
+    let (folder, good) = in_folder("good.csv");
+    let (_, text, _) =
+        run(&["cosim", "scenarios/paper.toml", "--duration", "1", "--format", "csv"]);
+    fs::write(&good, &text).unwrap();
+    let (_, whole, _) =
+        run(&["cosim", "scenarios/paper.toml", "--duration", "1", "--format", "json"]);
+    let lines = |n: usize| text.lines().take(n).map(|l| format!("{l}\n")).collect::<String>();
+    let row = |from: &str, to: &str| text.replacen(from, to, 1);
+    let cases = [
+        ("cut.csv", text[..text.len() - 40].to_owned(), ":22: the last line is cut off"),
+        ("short.csv", format!("{}0.5,1\n", lines(3)), ":4: 2 fields: expected 11"),
+        ("head.csv", row("time", "when"), ":1: expected the columns time, xd0"),
+        ("empty.csv", String::new(), ":1: expected the columns"),
+        ("lonely.csv", lines(2), "5 drones at 1 times: expected at least 2 of each"),
+        ("word.csv", row("12.4192", "twelve"), "`twelve`: expected a finite number"),
+        ("nan.csv", row("12.4192", "NaN"), "`NaN`: expected a finite number"),
+        ("back.csv", row("\n0.1,", "\n0.01,"), "time at row 2: expected more than the row before"),
+        (
+            "cut.json",
+            whole[..whole.len() / 2].to_owned(),
+            "expected a whole run, schema cordon-cosim/1",
+        ),
+        (
+            "other.json",
+            whole.replace("cordon-cosim/1", "cordon-cosim/9"),
+            "schema: `cordon-cosim/9`",
+        ),
+        (
+            "few.json",
+            whole.replace("\"drones\":5", "\"drones\":4"),
+            "expected one position for each of the 4 drones",
+        ),
+        ("extra.json", whole.replace("\"title\"", "\"name\""), "unknown field `name`"),
+    ];
+    let page = folder.path().join("page.html").display().to_string();
+    let mut refused = 0;
+    for (name, content, expected) in &cases {
+        let path = folder.path().join(name).display().to_string();
+        fs::write(&path, content).unwrap();
+        let (code, out, err) = run(&["replay", &path, "--out", &page]);
+        assert_eq!((code, out.as_str()), (2, ""), "{name}");
+        assert!(err.contains(name) && err.contains(expected), "{name}: {err}");
+        refused += 1;
+    }
+    assert_eq!(refused, 12);
+    assert!(!Path::new(&page).exists());
+    let (code, _, err) = run(&["replay", "no/such.csv", "--out", &page]);
+    assert_eq!(code, 74);
+    assert!(err.contains("cannot read `no/such.csv`"), "{err}");
+    assert_eq!(files_in(folder.path()), cases.len() + 1);
+}
+
+#[test]
+fn bad_flights_are_refused() {
+    let (folder, scenario) = in_folder("bad.toml");
+    let base = "start = [0, 10, 20, 30, 100]\nweight = 0.2\nperiod = 4\ntau = 0.05\n";
+    let cases = [
+        ("[flight]\nlambda_Q = 1\n", "bad.toml:6:1: unknown field `lambda_Q`"),
+        ("[flight]\nlambda_P = \"x\"\n", "bad.toml:6:12: lambda_P: `x` is not a number"),
+        ("[flight]\nstart = [0, true]\n", "bad.toml:6:13: flight.start: expected a number"),
+        (
+            "[flight]\nintegrator = \"rk4\"\n",
+            "bad.toml: integrator: `rk4`: expected `euler` or `exact`",
+        ),
+        ("[[fault]]\nkind = \"lost\"\n", "bad.toml:6:8: fault: `lost` is unknown"),
+        ("[[fault]]\nkind = \"loss\"\n", "bad.toml:6:8: fault: probability is missing"),
+        (
+            "[[fault]]\nkind = \"delay\"\nticks = 1\ndrone = 2\n",
+            "bad.toml:6:8: fault: `drone` is no field of a `delay`",
+        ),
+        ("[[fault]]\nkind = \"loss\"\nodds = 2\n", "unknown field `odds`"),
+    ];
+    let out = folder.path().join("run.csv").display().to_string();
+    for (table, expected) in cases {
+        fs::write(&scenario, format!("{base}{table}")).unwrap();
+        let (code, _, err) = run(&["cosim", &scenario, "--out", &out]);
+        assert_eq!(code, 2, "{table}: {err}");
+        assert!(err.contains(expected), "{err}, expected {expected}");
+        // The other commands read the same files.
+        assert!(run(&["trace", &scenario]).0 == 2 || table.contains("rk4"));
+    }
+    for (flags, expected) in [
+        (&["--duration", "1.02"][..], "duration: `51/50`: expected a whole multiple"),
+        (
+            &["--compat", "recorded", "--integrator", "exact"],
+            "integrator: `exact`: expected `euler`",
+        ),
+        (&["--exchange", "morse"], "exchange: `morse`: expected `exact` or `double`"),
+        (&["--duration", "400000000"], "expected at most 67108864 positions"),
+    ] {
+        let (code, _, err) =
+            run(&[&["cosim", "scenarios/paper.toml", "--out", &out], flags].concat());
+        assert_eq!(code, 2, "{err}");
+        assert!(err.contains(expected), "{err}");
+    }
+    let (code, _, err) = run(&["cosim", "scenarios/paper.toml", "--out", "no/such/folder/run.csv"]);
+    assert_eq!(code, 74);
+    assert!(err.contains("cannot write `no/such/folder/run.csv`"), "{err}");
+    let (code, _, err) =
+        run(&["replay", "tests/data/recorded/run-a.csv", "--duration", "3", "--out", &out]);
+    assert_eq!(code, 2);
+    assert!(err.contains("duration: expected a scenario to fly, found a run"), "{err}");
+    assert_eq!(files_in(folder.path()), 1, "nothing was written");
+}
+
+/// A build without Parquet says so; one that has it writes a file with its magic number.
+#[test]
+fn parquet_is_written_or_refused_in_words() {
+    let (_folder, path) = in_folder("run.parquet");
+    let (code, _, err) = run(&["cosim", "scenarios/paper.toml", "--duration", "1", "--out", &path]);
+    if cfg!(feature = "parquet") {
+        let bytes = fs::read(&path).unwrap();
+        assert_eq!(code, 0, "{err}");
+        assert!(bytes.starts_with(b"PAR1") && bytes.ends_with(b"PAR1"));
+    } else {
+        assert_eq!(code, 2);
+        assert!(err.contains("this build has no Parquet"), "{err}");
+        assert!(!Path::new(&path).exists());
+    }
+}
+
+#[test]
+fn figures_are_drawn_as_svg_and_png() {
+    let (folder, path) = in_folder("figures");
+    let (code, out, _) = run(&["figures", "--out", &path]);
+    assert_eq!(code, 0);
+    assert_eq!(out.lines().count(), 7);
+    for (number, what) in [
+        (8, "desired positions, coverage, eps = 0.2"),
+        (9, "actual positions, coverage, eps = 0.2"),
+        (10, "desired position of the central drone, coverage"),
+        (11, "desired positions, coverage, eps = 0.7"),
+        (12, "actual positions, coverage, eps = 0.7"),
+        (15, "desired positions, consensus, eps = 0.3"),
+        (16, "actual positions, consensus, eps = 0.3"),
+    ] {
+        let svg = fs::read_to_string(format!("{path}/fig{number:02}.svg")).unwrap();
+        assert!(svg.contains(&format!("Fig. {number}: {what}")), "{number}");
+        assert!(svg.contains("time t [s]") && svg.contains("[m]") && svg.ends_with("</svg>\n"));
+        assert_eq!(svg.contains("drones 1 and 2 collide at 12.59 s"), number == 12);
+    }
+    let (code, out, _) = run(&["figures", "12,15", "--format", "png", "--out", &path]);
+    assert_eq!((code, out.lines().count()), (0, 2));
+    let png = fs::read(format!("{path}/fig12.png")).unwrap();
+    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n") && png.len() > 20_000);
+    assert_eq!(files_in(Path::new(&path)), 9);
+    let (code, _, err) = run(&["figures", "13", "--out", &path]);
+    assert_eq!(code, 2);
+    assert!(err.contains("figure: `13` is unknown: expected some of 8, 9, 10"), "{err}");
+    drop(folder);
+}

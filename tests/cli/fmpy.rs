@@ -1,0 +1,162 @@
+//! Exported FMUs in FMPy: they validate, behave, and a swarm of them flies as `cordon cosim`
+//! does, every double. Runs where Python can import `fmpy` (`pip install fmpy`; another
+//! interpreter: CORDON_PYTHON); with CORDON_REQUIRE_TOOLS=1 its absence is a failure.
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::Command;
+
+use crate::common::run;
+
+const UNITS: [(&str, &str, &str); 5] = [
+    ("coordination", "exact", "cordon_coordination"),
+    ("coordination", "double", "cordon_coordination_double"),
+    ("coordination", "six-digits", "cordon_coordination_six_digits"),
+    ("control", "exact", "cordon_control"),
+    ("plant", "exact", "cordon_plant"),
+];
+
+/// A Python that has FMPy, or `None` after saying that the test was not run.
+fn python(test: &str) -> Option<String> {
+    let python = std::env::var("CORDON_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let found = Command::new(&python).args(["-c", "import fmpy"]).output();
+    if found.is_ok_and(|o| o.status.success()) {
+        crate::common::fmu_binary();
+        return Some(python);
+    }
+    let required = std::env::var("CORDON_REQUIRE_TOOLS").is_ok_and(|v| v == "1");
+    assert!(!required, "{test}: `{python}` cannot import fmpy, and tools are required");
+    eprintln!("{test}: NOT RUN: `{python}` cannot import fmpy");
+    None
+}
+
+fn call(python: &str, args: &[&str]) -> (bool, String, String) {
+    let out = Command::new(python).args(args).output().unwrap();
+    let text = |b: &[u8]| String::from_utf8_lossy(b).into_owned();
+    (out.status.success(), text(&out.stdout), text(&out.stderr))
+}
+
+fn export(unit: &str, positions: &str, version: &str, out: &Path) {
+    let out = out.to_str().unwrap();
+    let (code, said, err) =
+        run(&["fmu", "export", unit, "--positions", positions, "--fmi", version, "--out", out]);
+    assert_eq!(code, 0, "{err}");
+    assert!(said.contains("for co-simulation"), "{said}");
+}
+
+#[test]
+fn fmpy_finds_no_problem_in_any_exported_fmu() {
+    let Some(python) = python("validation") else { return };
+    let dir = tempfile::tempdir().unwrap();
+    let mut validated = 0;
+    for (unit, positions, name) in UNITS {
+        for version in ["2", "3"] {
+            let fmu = dir.path().join(format!("{name}{version}.fmu"));
+            export(unit, positions, version, &fmu);
+            let (_, said, err) = call(&python, &["-m", "fmpy", "validate", fmu.to_str().unwrap()]);
+            // The exit code counts problems and wraps around: the text decides.
+            assert_eq!(said.trim(), "No problems found.", "{name} {version}: {err}");
+            validated += 1;
+        }
+    }
+    assert_eq!(validated, 10);
+}
+
+#[test]
+fn instances_states_and_errors_are_as_the_standards_want() {
+    let Some(python) = python("instances") else { return };
+    let dir = tempfile::tempdir().unwrap();
+    for version in ["2", "3"] {
+        let [plant, coordination] = ["plant", "coordination"].map(|unit| {
+            let fmu = dir.path().join(format!("{unit}{version}.fmu"));
+            export(unit, "exact", version, &fmu);
+            fmu.to_str().unwrap().to_owned()
+        });
+        let (ok, said, err) = call(&python, &["tests/fmpy/one_unit.py", &plant, &coordination]);
+        assert!(ok, "FMI {version}: {said}{err}");
+        assert_eq!(said.lines().last(), Some("ok: 19 checks"), "{said}");
+        let logged = said + &err;
+        for message in [
+            "a step of `0.07` s: expected a whole multiple of the parameter `tau`, `1/20` s",
+            "variable `w1`: `NaN`: expected a finite number",
+            "identifier `another-identifier`: no unit of this binary has it",
+            "`9`: expected less than the number of drones, `5`",
+        ] {
+            assert!(logged.contains(message), "FMI {version}: {message} is not in the log");
+        }
+    }
+}
+
+/// Columns `xd0`, `x0`, ... of a run: by `cordon cosim`, or by the script, whose columns are
+/// named after instances.
+fn columns(text: &str) -> BTreeMap<String, Vec<f64>> {
+    let mut lines = text.lines();
+    let names: Vec<String> = lines
+        .next()
+        .unwrap()
+        .split(',')
+        .map(|name| match name.split('.').nth(1) {
+            Some(i) if i.starts_with("coordination") => i.replace("coordination", "xd"),
+            Some(i) => i.replace("plant", "x"),
+            None => name.to_owned(),
+        })
+        .collect();
+    let mut columns: BTreeMap<String, Vec<f64>> = BTreeMap::new();
+    for line in lines {
+        for (name, field) in names.iter().zip(line.split(',')) {
+            columns.entry(name.clone()).or_default().push(field.parse().unwrap());
+        }
+    }
+    columns.remove("time");
+    columns
+}
+
+/// Flies an exported system in FMPy and compares every double with `cordon cosim`.
+fn flies_the_same(python: &str, scenario: &str, flags: &[&str], version: &str, ssp: bool) {
+    let dir = tempfile::tempdir().unwrap();
+    let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let (here, there) = (path("here.csv"), path("there.csv"));
+    let (code, _, err) = run(&[&["cosim", scenario, "--out", &here], flags].concat());
+    assert_eq!(code, 0, "{err}");
+    let system = if ssp { path("swarm.ssp") } else { path("") };
+    let kind = if ssp { "ssp" } else { "into-cps" };
+    let export = ["export", kind, scenario, "--fmi", version, "--out", &system];
+    let (code, said, err) = run(&[&export, flags].concat());
+    assert_eq!(code, 0, "{err}");
+    assert!(said.contains("15 units, 93 connections, 500 steps of 1/20 s"), "{said}");
+    let system = if ssp { system } else { path("multi-model.json") };
+    let (ok, said, err) = call(python, &["tests/fmpy/multi_model.py", &system, "--out", &there]);
+    assert!(ok, "{scenario}, FMI {version}: {said}{err}");
+    let [here, there] = [&here, &there].map(|f| columns(&std::fs::read_to_string(f).unwrap()));
+    assert_eq!(here.len(), 10);
+    let mut compared = 0;
+    for (name, ours) in &here {
+        let theirs = &there[name];
+        assert_eq!(ours.len(), theirs.len(), "{name}");
+        for (k, (a, b)) in ours.iter().zip(theirs).enumerate() {
+            assert!(
+                a.to_bits() == b.to_bits(),
+                "{scenario}, FMI {version}: {name}, row {k}: {a} {b}"
+            );
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 10 * 501, "doubles that were compared");
+}
+
+#[test]
+fn fifteen_fmus_fly_as_the_cosimulation_does_every_double() {
+    let Some(python) = python("fifteen units") else { return };
+    for version in ["2", "3"] {
+        flies_the_same(&python, "scenarios/paper.toml", &[], version, false);
+    }
+    let unstable = "scenarios/paper-unstable.toml";
+    flies_the_same(&python, unstable, &["--exchange", "double"], "2", false);
+    flies_the_same(&python, "scenarios/recorded.toml", &["--compat", "recorded"], "2", false);
+}
+
+#[test]
+fn ssp_archives_are_whole_and_fly_the_same() {
+    let Some(python) = python("ssp") else { return };
+    flies_the_same(&python, "scenarios/paper.toml", &["--integrator", "exact"], "2", true);
+    flies_the_same(&python, "scenarios/recorded.toml", &["--compat", "recorded"], "3", true);
+}

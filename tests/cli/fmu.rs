@@ -1,0 +1,377 @@
+//! FMUs and multi-models from the command line, without other tools: round trips and bad input.
+use std::fs;
+use std::io::{Cursor, Read, Write};
+use std::path::{Path, PathBuf};
+
+use crate::common::run;
+use cordon_cosim::fmi::interface::{FmiVersion, Model, TAU};
+use cordon_cosim::fmi::slave::{Mode, Severity, Slave};
+use cordon_cosim::unit::{Causality, Kind, Value};
+use tempfile::TempDir;
+use zip::{ZipArchive, ZipWriter, write::SimpleFileOptions};
+
+fn slave(model: Model, version: FmiVersion) -> Slave {
+    Slave::instantiate(version, "it", &model.token(version)).unwrap()
+}
+
+fn reference(model: Model, name: &str) -> u32 {
+    let place = model.variables().iter().position(|v| v.name == name);
+    u32::try_from(place.expect("a variable")).unwrap()
+}
+
+fn begin(slave: &mut Slave) {
+    slave.set_up(0.0, None).unwrap();
+    slave.enter_initialisation().unwrap();
+    slave.exit_initialisation().unwrap();
+}
+
+/// The values of all outputs, as text.
+fn outputs(model: Model, slave: &mut Slave) -> Vec<(String, String)> {
+    let variables = model.variables();
+    let outputs = variables.iter().zip(0..).filter(|(v, _)| v.causality == Causality::Output);
+    outputs
+        .map(|(v, reference)| {
+            let value = match v.kind() {
+                Kind::Real => format!("{:?}", slave.real(reference).unwrap()),
+                _ => slave.text(reference).unwrap(),
+            };
+            (v.name.clone(), value)
+        })
+        .collect()
+}
+
+/// Another value of a parameter, in its range.
+fn another(model: Model, name: &str, value: &Value) -> Value {
+    match (name, value) {
+        (_, Value::Real(x)) => Value::Real(x + 0.5),
+        (_, Value::Integer(n)) => Value::Integer(n + 1),
+        (_, Value::Boolean(b)) => Value::Boolean(!b),
+        ("integrator", _) => Value::Text("exact".into()),
+        ("first_update", _) => Value::Text("last".into()),
+        (_, Value::Exact(_)) => Value::Text("17/4".into()),
+        (_, other) => panic!("{model:?}.{name}: {other}"),
+    }
+}
+
+#[test]
+fn initial_outputs_depend_on_the_stated_parameters_and_on_no_others() {
+    let mut compared = 0;
+    for model in Model::ALL {
+        let mut plain = slave(model, FmiVersion::V2);
+        begin(&mut plain);
+        let before = outputs(model, &mut plain);
+        for v in model.variables().iter().filter(|v| v.causality == Causality::Parameter) {
+            let mut changed = slave(model, FmiVersion::V2);
+            let value = another(model, &v.name, &v.start);
+            changed.set(reference(model, &v.name), &value).unwrap();
+            begin(&mut changed);
+            for ((name, x), (_, y)) in before.iter().zip(outputs(model, &mut changed)) {
+                let depends = model.initial_dependencies(name).contains(&v.name.as_str());
+                assert_eq!(*x != y, depends, "{model:?}: {name} on {}", v.name);
+                compared += 1;
+            }
+        }
+    }
+    // Outputs times parameters: coordination 2*10, 1*10 twice, control 4*13, plant 12*14.
+    assert_eq!(compared, 20 + 10 + 10 + 52 + 168);
+}
+
+#[test]
+fn a_state_that_went_through_bytes_goes_on_as_before() {
+    let mut moved = 0;
+    for model in Model::ALL {
+        let mut a = slave(model, FmiVersion::V3);
+        let inputs: Vec<u32> = (0..)
+            .zip(&model.variables())
+            .filter(|(_, v)| v.causality == Causality::Input)
+            .map(|(reference, _)| reference)
+            .collect();
+        let exact = model == Model::Coordination(cordon_cosim::fmi::interface::Positions::Exact);
+        let feed = |slave: &mut Slave, k: u32| {
+            for reference in &inputs {
+                let x = f64::from((k * 7 + reference * 3) % 11) / 8.0;
+                let value = if exact { Value::Text(x.to_string().into()) } else { Value::Real(x) };
+                slave.set(*reference, &value).unwrap();
+            }
+            slave.do_step(f64::from(k) * 0.05, 0.05).unwrap();
+        };
+        begin(&mut a);
+        for k in 0..10 {
+            feed(&mut a, k);
+        }
+        let bytes = a.save().unwrap().to_bytes();
+        let at_10 = outputs(model, &mut a);
+        for k in 10..20 {
+            feed(&mut a, k);
+        }
+        let at_20 = outputs(model, &mut a);
+        moved += usize::from(at_10 != at_20);
+
+        let mut b = slave(model, FmiVersion::V3);
+        let state = b.snapshot_from_bytes(&bytes).unwrap();
+        b.restore(&state).unwrap();
+        assert_eq!(b.save().unwrap(), state);
+        assert_eq!(outputs(model, &mut b), at_10);
+        for k in 10..20 {
+            feed(&mut b, k);
+        }
+        assert_eq!(outputs(model, &mut b), at_20, "{model:?}");
+
+        let cut = &bytes[..bytes.len() / 2];
+        assert!(b.snapshot_from_bytes(cut).unwrap_err().message.contains("cannot be read"));
+        let other = Model::ALL[(Model::ALL.iter().position(|m| *m == model).unwrap() + 1) % 5];
+        let refused = slave(other, FmiVersion::V3).snapshot_from_bytes(&bytes).unwrap_err();
+        assert!(refused.message.contains("expected `cordon-fmi3.0:"), "{}", refused.message);
+    }
+    assert_eq!(moved, 5, "models that the steps moved");
+}
+
+#[test]
+fn the_rules_of_the_standards_hold() {
+    let model = Model::Plant;
+    let (x0, w1, tau) = (reference(model, "x0"), reference(model, "w1"), reference(model, TAU));
+    let mut s = slave(model, FmiVersion::V2);
+    let refused = |fault: Result<(), cordon_cosim::fmi::slave::Fault>, part: &str| {
+        let fault = fault.unwrap_err();
+        assert!(fault.message.contains(part), "{}", fault.message);
+        assert_eq!(fault.severity, Severity::Error);
+    };
+    refused(s.do_step(0.0, 0.05), "the instance is not initialised");
+    refused(s.exit_initialisation(), "the instance is not initialised");
+    refused(s.set_up(f64::NAN, None), "expected times in order");
+    refused(s.set(tau, &Value::Text("0".into())), "expected a positive number of seconds");
+    refused(s.set(99, &Value::Real(0.0)), "value reference 99: expected less than 30");
+    refused(s.set(x0, &Value::Boolean(true)), "expected real, found boolean");
+    s.set_up(2.0, Some(2.5)).unwrap();
+    s.enter_initialisation().unwrap();
+    s.set(tau, &Value::Text("1/30".into())).unwrap();
+    s.set(x0, &Value::Real(4.0)).unwrap();
+    s.exit_initialisation().unwrap();
+    assert_eq!(s.mode(), Mode::Step);
+    refused(s.set(x0, &Value::Real(1.0)), "setting `x0`: the instance is running");
+    refused(s.set(w1, &Value::Real(f64::INFINITY)), "expected a finite number");
+    refused(s.do_step(0.0, 1.0 / 30.0), "expected `2` s");
+    for k in 0..15 {
+        // As an importer adds up its doubles.
+        s.do_step(2.0 + f64::from(k) * (1.0 / 30.0), 1.0 / 30.0).unwrap();
+    }
+    assert_eq!(s.time(), 2.5);
+    refused(s.do_step(2.5, 1.0 / 30.0), "goes beyond the end of the run");
+    assert_eq!(s.real(reference(model, "x")).unwrap(), 4.0);
+    assert_eq!(s.real(30).unwrap(), 2.5, "the time follows the variables");
+    assert!(s.integer(w1).unwrap_err().message.contains("its type is real"));
+    s.terminate().unwrap();
+    refused(s.do_step(2.5, 1.0 / 30.0), "the instance is terminated");
+    s.give_up();
+    assert_eq!(s.reset().unwrap_err().severity, Severity::Fatal);
+}
+
+fn fresh() -> (TempDir, impl Fn(&str) -> String) {
+    let dir = tempfile::tempdir().unwrap();
+    let root = dir.path().to_owned();
+    (dir, move |name: &str| root.join(name).to_str().unwrap().to_owned())
+}
+
+/// Asserts that a command fails with this code, names what it should, and writes nothing.
+fn fails(args: &[&str], code: i32, parts: &[&str]) {
+    let (found, out, err) = run(args);
+    assert_eq!((found, out.as_str()), (code, ""), "{args:?}: {err}");
+    for part in parts {
+        assert!(err.contains(part), "{args:?}: `{part}` is not in {err}");
+    }
+}
+
+#[test]
+fn an_export_is_the_same_every_time_and_appears_whole_or_not_at_all() {
+    crate::common::fmu_binary();
+    let (dir, path) = fresh();
+    let export = |out: &str| run(&["fmu", "export", "control", "--fmi", "3", "--out", out]);
+    assert_eq!(export(&path("a.fmu")).0, 0);
+    assert_eq!(export(&path("b.fmu")).0, 0);
+    assert_eq!(fs::read(path("a.fmu")).unwrap(), fs::read(path("b.fmu")).unwrap());
+    let missing = path("no-such-folder/c.fmu");
+    fails(&["fmu", "export", "plant", "--out", &missing], 74, &["cannot write", &missing]);
+    let nowhere = path("no-binary.so");
+    let out = path("d.fmu");
+    let args = ["fmu", "export", "plant", "--out", &out, "--binary", &nowhere];
+    fails(&args, 74, &["cannot read", &nowhere]);
+    let left: Vec<_> = fs::read_dir(dir.path()).unwrap().map(|e| e.unwrap().file_name()).collect();
+    assert_eq!(left.len(), 2, "{left:?}");
+}
+
+#[test]
+fn the_binary_that_is_missing_is_named_with_the_command_that_builds_it() {
+    let (_dir, path) = fresh();
+    // Away from cargo and from the folder where it puts binaries.
+    let alone = path("cordon");
+    fs::copy(env!("CARGO_BIN_EXE_cordon"), &alone).unwrap();
+    let out = std::process::Command::new(&alone)
+        .args(["fmu", "export", "plant", "--out", &path("x.fmu")])
+        .env_remove("CARGO")
+        .output()
+        .unwrap();
+    let err = String::from_utf8(out.stderr).unwrap();
+    assert_eq!(out.status.code(), Some(2));
+    assert!(err.contains("build it with `cargo build --release -p cordon-fmu`"), "{err}");
+    assert!(!Path::new(&path("x.fmu")).exists());
+}
+
+#[test]
+fn a_multi_model_that_was_written_is_read_as_the_same_scenario() {
+    crate::common::fmu_binary();
+    let cases: [(&str, &[&str]); 3] = [
+        ("scenarios/paper.toml", &[]),
+        ("scenarios/paper-unstable.toml", &["--exchange", "double", "--duration", "10"]),
+        ("scenarios/three.toml", &["--tau", "1/30", "--integrator", "exact", "--phase", "last"]),
+    ];
+    for (scenario, flags) in cases {
+        let (_dir, path) = fresh();
+        let folder = path("system");
+        let (code, _, err) =
+            run(&[&["export", "into-cps", scenario, "--out", &folder], flags].concat());
+        assert_eq!(code, 0, "{err}");
+        let model = path("system/multi-model.json");
+        let (a, b) = (path("a.csv"), path("b.csv"));
+        assert_eq!(run(&[&["cosim", scenario, "--out", &a], flags].concat()).0, 0);
+        let (code, _, err) = run(&["cosim", &model, "--out", &b]);
+        assert_eq!(code, 0, "{err}");
+        assert_eq!(fs::read(&a).unwrap(), fs::read(&b).unwrap(), "{scenario}");
+        // Read and written again it is the same file.
+        let again = path("again");
+        assert_eq!(run(&["export", "into-cps", &model, "--out", &again]).0, 0);
+        let text = |folder: &str| fs::read_to_string(path(folder).as_str()).unwrap();
+        assert_eq!(text("system/multi-model.json"), text("again/multi-model.json"));
+    }
+}
+
+#[test]
+fn what_is_no_swarm_is_refused_by_name() {
+    crate::common::fmu_binary();
+    let (_dir, path) = fresh();
+    let scenario = "scenarios/paper.toml";
+    assert_eq!(run(&["export", "into-cps", scenario, "--out", &path("")]).0, 0);
+    let model = path("multi-model.json");
+    let text = fs::read_to_string(&model).unwrap();
+    let mut tried = 0;
+    let mut with = |from: &str, to: &str, parts: &[&str]| {
+        assert!(text.contains(from), "{from}");
+        fs::write(&model, text.replacen(from, to, 1)).unwrap();
+        fails(&["cosim", &model], 2, &[&[model.as_str()], parts].concat());
+        tried += 1;
+    };
+    with(r#""size": 0.05"#, r#""size": 0.1"#, &["of size 0.1: expected `fixed-step` of size 0.05"]);
+    with(r#""endTime": 25.0"#, r#""endTime": 25.01"#, &["a run from 0 to 25.01 s"]);
+    with(
+        r#""{cordon_control}.control1.z_d": 1.0"#,
+        r#""{cordon_control}.control1.z_d": 2.0"#,
+        &["control1.z_d: `2.0`: expected `1`"],
+    );
+    with(
+        r#""{cordon_coordination}.coordination2.id": 2"#,
+        r#""{cordon_coordination}.coordination2.id": 3"#,
+        &["id: `3` is that of", "too: expected different ones"],
+    );
+    with(
+        r#""{cordon_plant}.plant1.w1""#,
+        r#""{cordon_plant}.plant1.w2""#,
+        &["a connection from", "control1.w1` to", "plant1.w1` is missing"],
+    );
+    with(
+        r#""{cordon_plant}.plant3.x0": 30.0"#,
+        r#""{cordon_plant}.plant3.arm": 0.4"#,
+        &["plant3.arm: `0.4`: expected `the start value`"],
+    );
+    with(r#""{cordon_plant}.plant3.x0""#, r#""{other}.plant3.x0""#, &["expected an FMU among"]);
+    with(r#""fmus""#, r#""units""#, &["expected an INTO-CPS multi-model: missing field `fmus`"]);
+    fs::write(&model, &text[..text.len() / 2]).unwrap();
+    fails(&["cosim", &model], 2, &[&model, "expected an INTO-CPS multi-model: EOF"]);
+    fs::write(&model, &text).unwrap();
+    fs::remove_file(path("cordon_plant.fmu")).unwrap();
+    fails(&["cosim", &model], 74, &["cannot read", "cordon_plant.fmu"]);
+    assert_eq!(tried, 8);
+}
+
+#[test]
+fn what_other_tools_do_not_have_is_not_exported() {
+    crate::common::fmu_binary();
+    let (dir, path) = fresh();
+    let out = path("x.ssp");
+    let consensus = ["export", "ssp", "scenarios/consensus.toml", "--out", &out];
+    fails(&consensus, 2, &["protocol: `consensus`: expected `coverage`"]);
+    let seidel =
+        ["export", "ssp", "scenarios/paper.toml", "--master", "gauss-seidel", "--out", &out];
+    fails(&seidel, 2, &["master: `gauss-seidel`: expected `jacobi`"]);
+    assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
+}
+
+/// An FMU with one file changed, or left out.
+fn changed(fmu: &str, out: &Path, change: impl Fn(&str, Vec<u8>) -> Option<(String, Vec<u8>)>) {
+    let mut from = ZipArchive::new(Cursor::new(fs::read(fmu).unwrap())).unwrap();
+    let mut to = ZipWriter::new(Cursor::new(Vec::new()));
+    for i in 0..from.len() {
+        let mut file = from.by_index(i).unwrap();
+        let mut bytes = Vec::new();
+        file.read_to_end(&mut bytes).unwrap();
+        if let Some((name, bytes)) = change(file.name(), bytes) {
+            to.start_file(name, SimpleFileOptions::default()).unwrap();
+            to.write_all(&bytes).unwrap();
+        }
+    }
+    fs::write(out, to.finish().unwrap().into_inner()).unwrap();
+}
+
+#[test]
+fn an_fmu_that_cannot_take_a_units_place_is_named_with_the_reason() {
+    crate::common::fmu_binary();
+    let (dir, path) = fresh();
+    let good = path("plant.fmu");
+    assert_eq!(run(&["fmu", "export", "plant", "--out", &good]).0, 0);
+    let control = path("control.fmu");
+    assert_eq!(run(&["fmu", "export", "control", "--out", &control]).0, 0);
+    let file = |name: &str| -> PathBuf { dir.path().join(name) };
+    let bytes = fs::read(&good).unwrap();
+    fs::write(file("cut.fmu"), &bytes[..bytes.len() / 2]).unwrap();
+    changed(&good, &file("old.fmu"), |name, bytes| {
+        let text = || String::from_utf8(bytes.clone()).unwrap();
+        let old = || text().replace(r#"fmiVersion="2.0""#, r#"fmiVersion="1.0""#).into_bytes();
+        Some((name.to_owned(), if name.ends_with(".xml") { old() } else { bytes.clone() }))
+    });
+    changed(&good, &file("windows.fmu"), |name, bytes| {
+        Some((name.replace("linux64", "win64").replace(".so", ".dll"), bytes))
+    });
+    changed(&good, &file("bare.fmu"), |name, bytes| {
+        (!name.ends_with(".xml")).then(|| (name.to_owned(), bytes))
+    });
+    changed(&good, &file("feet.fmu"), |name, bytes| {
+        let feet =
+            || String::from_utf8_lossy(&bytes).replace(r#"Real unit="m"/"#, r#"Real unit="ft"/"#);
+        let xml = name.ends_with(".xml");
+        Some((name.to_owned(), if xml { feet().into_bytes() } else { bytes.clone() }))
+    });
+    let cases: [(&str, i32, &str); 7] = [
+        ("none.fmu", 74, "cannot read"),
+        ("cut.fmu", 2, "expected an FMU, a whole zip archive"),
+        ("old.fmu", 2, "fmiVersion `1.0`: expected 2.0 or 3.0"),
+        ("windows.fmu", 2, "a binary for this platform; it has binaries for win64"),
+        ("bare.fmu", 2, "expected an FMU with a `modelDescription.xml`"),
+        ("control.fmu", 2, "variable `w1`"),
+        ("feet.fmu", 2, "`x` is in `ft`: expected `m`"),
+    ];
+    let run_csv = path("run.csv");
+    let scenario = path("s.toml");
+    for (name, code, part) in cases {
+        let text = format!(
+            "start = [0, 1, 3]\nweight = 0.5\n[[unit]]\ndrone = 1\nunit = \"plant\"\nfmu = \"{name}\"\n"
+        );
+        fs::write(&scenario, text).unwrap();
+        fails(&["cosim", &scenario, "--out", &run_csv], code, &[name, part]);
+        assert!(!Path::new(&run_csv).exists());
+    }
+    let unknown =
+        "start = [0, 1, 3]\nweight = 0.5\n[[unit]]\ndrone = 1\nunit = \"rotor\"\nfmu = \"x\"\n";
+    fs::write(&scenario, unknown).unwrap();
+    fails(&["cosim", &scenario], 2, &["s.toml:5:8: unit: `rotor` is unknown"]);
+    let beyond = "start = [0, 1, 3]\nweight = 0.5\n[[unit]]\ndrone = 7\nunit = \"plant\"\nfmu = \"plant.fmu\"\n";
+    fs::write(&scenario, beyond).unwrap();
+    fails(&["cosim", &scenario], 2, &["unit: drone 7: expected one of the 3 drones"]);
+}

@@ -1,0 +1,19 @@
+//! The program as a user meets it: commands, files, exit codes, documents.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod at;
+mod commands;
+mod cosim;
+mod documents;
+mod export_pvs;
+#[cfg(feature = "fmi-import")]
+mod fmi_import;
+mod fmpy;
+mod fmu;
+mod golden;
+mod replay;
+mod sweep;
+mod trust_lines;

@@ -1,0 +1,159 @@
+//! The replay page in a real browser: headless Chromium, without a network.
+//!
+//! Where no Chromium is installed the tests say that they were not run;
+//! CORDON_REQUIRE_TOOLS=1 makes that a failure.
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use crate::common::run;
+
+/// The browser's program; `None` where there is none.
+fn browser() -> Option<&'static str> {
+    let works = |name: &&str| {
+        Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success())
+    };
+    let found = ["chromium", "chromium-browser", "google-chrome"].into_iter().find(works);
+    if found.is_none() {
+        let required = std::env::var("CORDON_REQUIRE_TOOLS").is_ok_and(|v| v == "1");
+        assert!(!required, "chromium is not installed, and CORDON_REQUIRE_TOOLS=1");
+        eprintln!("not run: chromium is not installed");
+    }
+    found
+}
+
+/// Opens a page with these flags; what the browser prints on stdout.
+fn open(browser: &str, page: &Path, hash: &str, flags: &[&str]) -> String {
+    let profile = tempfile::tempdir().unwrap();
+    let out = Command::new(browser)
+        .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking"])
+        .args(["--disable-component-update", "--no-first-run", "--virtual-time-budget=4000"])
+        .arg(format!("--user-data-dir={}", profile.path().display()))
+        .args(flags)
+        .arg(format!("file://{}#{hash}", page.display()))
+        .output()
+        .unwrap();
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    String::from_utf8(out.stdout).unwrap()
+}
+
+/// The text of an element with this id, in a dumped document.
+fn text_of(dom: &str, id: &str) -> String {
+    let from = dom.find(&format!("id=\"{id}\"")).unwrap_or_else(|| panic!("no {id}"));
+    let rest = &dom[from..];
+    let rest = &rest[rest.find('>').unwrap() + 1..];
+    rest[..rest.find('<').unwrap()].to_owned()
+}
+
+/// A page of the run with eps = 0.7, in a folder of its own.
+fn unstable_page() -> (tempfile::TempDir, std::path::PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let page = folder.path().join("page.html");
+    let file = page.display().to_string();
+    let (code, out, _) =
+        run(&["replay", "scenarios/paper-unstable.toml", "--duration", "15", "--out", &file]);
+    assert_eq!((code, out), (0, format!("{file}\n")));
+    (folder, page)
+}
+
+#[test]
+fn the_page_is_one_file_that_loads_nothing() {
+    let (_folder, page) = unstable_page();
+    let html = fs::read_to_string(page).unwrap();
+    for outside in ["http:", "https:", "src=", "@import", "url(", "<link", "fetch(", "XMLHttp"] {
+        assert!(!html.contains(outside), "{outside}");
+    }
+    assert!(!html.contains("@RUN@") && !html.contains("@SCRIPT@"));
+}
+
+#[test]
+fn a_title_cannot_break_out_of_the_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let (scenario, page) = (folder.path().join("s.toml"), folder.path().join("p.html"));
+    let text = "title = \"</script><b>@RUN@ & 'x'\"\nstart = [0, 1, 12]\nweight = \"1/3\"\n[flight]\nduration = 1\n";
+    fs::write(&scenario, text).unwrap();
+    let (code, ..) =
+        run(&["replay", &scenario.display().to_string(), "--out", &page.display().to_string()]);
+    assert_eq!(code, 0);
+    let html = fs::read_to_string(page).unwrap();
+    assert!(html.contains("<title>&lt;/script&gt;&lt;b&gt;@RUN@ &amp; 'x'</title>"));
+    assert_eq!(html.matches("</script>").count(), 2);
+}
+
+#[test]
+fn the_page_shows_the_run_at_any_time() {
+    let Some(browser) = browser() else { return };
+    let (_folder, page) = unstable_page();
+    let at = |t: &str| {
+        let dom = open(browser, &page, &format!("t={t}"), &["--dump-dom"]);
+        (text_of(&dom, "status"), dom)
+    };
+    let (status, dom) = at("0");
+    assert!(
+        status.starts_with("t = 0.00 s of 15.00 s; smallest gap 10.000 m (drones 0 and 1)"),
+        "{status}"
+    );
+    assert!(status.ends_with("in order; collisions so far: 0"), "{status}");
+    assert!(dom.contains("12.591 s: drones 1 and 2 collide"));
+    assert!(text_of(&dom, "setup").contains("eps = 7/10, an update every 14 ticks of 1/20 s"));
+    let (status, _) = at("12.65");
+    assert!(status.contains("out of order: drones 1, 2; collisions so far: 1"), "{status}");
+}
+
+/// Buttons, slider and keys, pressed by a script that is put at the page's end.
+#[test]
+fn the_page_is_moved_by_hand() {
+    let Some(browser) = browser() else { return };
+    let (folder, page) = unstable_page();
+    let key = |k: &str, shift: bool| {
+        format!(
+            "document.dispatchEvent(new KeyboardEvent('keydown', {{key: '{k}', shiftKey: {shift}, bubbles: true}}));"
+        )
+    };
+    let time = |presses: String| -> (f64, String) {
+        let html = fs::read_to_string(&page).unwrap();
+        let moved = html.replace("</body>", &format!("<script>{presses}</script></body>"));
+        let path = folder.path().join("moved.html");
+        fs::write(&path, moved).unwrap();
+        let dom = open(browser, &path, "", &["--dump-dom"]);
+        let status = text_of(&dom, "status");
+        let t = status.strip_prefix("t = ").and_then(|s| s.split(' ').next()).unwrap();
+        (t.parse().unwrap(), dom)
+    };
+    let keys = [("ArrowRight", false), ("ArrowRight", false), ("ArrowRight", true)];
+    let pressed: String = keys.iter().map(|(k, shift)| key(k, *shift)).collect();
+    assert_eq!(time(pressed).0, 1.1);
+    assert_eq!(time(key("End", false)).0, 15.0);
+    assert_eq!(time(key("End", false) + &key("Home", false)).0, 0.0);
+    assert_eq!(time(key("n", false)).0, 12.59);
+    assert_eq!(time(key("End", false) + &key("n", false)).0, 15.0);
+    let scrub = "const s = document.getElementById('time'); s.value = 7.5; s.dispatchEvent(new Event('input'));";
+    assert_eq!(time(scrub.to_owned()).0, 7.5);
+    let (t, dom) = time("document.getElementById('play').click();".to_owned());
+    assert!(t > 0.5, "it plays: {t}");
+    assert!(dom.contains("aria-pressed=\"true\""));
+    let (t, dom) = time(key(" ", false) + &key(" ", false));
+    assert!(t < 0.2 && dom.contains("aria-pressed=\"false\""), "it pauses: {t}");
+    let quick = key("+", false) + &key("+", false) + &key("+", false);
+    let (fast, _) = time(quick + "document.getElementById('play').click();");
+    assert!(fast > t + 5.0, "ten times as fast: {fast}");
+    let (_, dom) = time(key("d", false));
+    assert!(dom.contains("data-theme=\"dark\"") || dom.contains("data-theme=\"light\""));
+}
+
+#[test]
+fn the_page_is_drawn_in_both_themes() {
+    let Some(browser) = browser() else { return };
+    let (folder, page) = unstable_page();
+    let mut sizes = Vec::new();
+    for theme in ["light", "dark"] {
+        let shot = folder.path().join(format!("{theme}.png"));
+        let flag = format!("--screenshot={}", shot.display());
+        open(browser, &page, &format!("t=12.65&theme={theme}"), &[&flag, "--window-size=1200,900"]);
+        let png = fs::read(shot).unwrap();
+        assert!(png.starts_with(b"\x89PNG"));
+        sizes.push(png);
+    }
+    assert!(sizes.iter().all(|png| png.len() > 20_000), "something is drawn");
+    assert_ne!(sizes[0], sizes[1]);
+}

@@ -1,0 +1,22 @@
+//! The engines as a library.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod cosim_faults;
+mod cosim_master;
+mod cosim_runs;
+mod exact_numbers;
+mod export_smt2;
+mod fast;
+mod identities;
+mod impulse_response;
+mod own_protocol;
+mod prove;
+mod refute;
+mod settle;
+mod swarm;
+mod theorem_predicates;
+mod threshold;
+mod ticks;

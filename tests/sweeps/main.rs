@@ -1,0 +1,8 @@
+//! Theorem sweeps.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod kernel;
+mod theorems;

@@ -1,0 +1,124 @@
+//! Bounded model checking: finds Kani, has it check the harnesses of `kani/`, and reads what
+//! came of each.
+//!
+//! The list of harnesses is the crate's own ([`cordon_kani::all`]). A harness that Kani does not
+//! report, or reports without being asked, is a failure as much as one that it refutes; so is one
+//! whose cover is not met, which Kani itself lets pass.
+
+pub mod limits;
+pub mod report;
+pub mod results;
+pub mod tool;
+
+use std::collections::BTreeMap;
+use std::io;
+use std::os::fd::AsFd;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitStatus, Stdio};
+
+use cordon_kani::Harness;
+
+pub use self::limits::Limits;
+use self::report::{Checked, Report};
+use self::results::Finding;
+use self::tool::Kani;
+use cordon_core::{Error, Result, files};
+
+/// Where Kani builds and writes, below the root.
+const TARGET: &str = "target/cordon-kani";
+
+/// Where, below its target folder, it writes a file for each harness (Kani's choice).
+const RESULTS: &str = "result_output_dir";
+
+/// Why nothing was run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NotRun(pub String);
+
+/// The harnesses whose names contain one of the filters; all where there is none.
+pub fn selected(filters: &[String]) -> Vec<&'static Harness> {
+    let wanted = |h: &&Harness| filters.is_empty() || filters.iter().any(|f| h.name.contains(f));
+    cordon_kani::all().filter(wanted).collect()
+}
+
+/// Has Kani check the harnesses that the filters select.
+///
+/// # Errors
+/// No harness is selected, or a file or process of the run cannot be read or started.
+pub fn run(
+    root: &Path,
+    kani: &Kani,
+    filters: &[String],
+    limits: Limits,
+) -> Result<std::result::Result<Report, NotRun>> {
+    let expected = selected(filters);
+    if expected.is_empty() {
+        let filters = filters.join("`, `");
+        return Err(Error::input(format!(
+            "`{filters}`: expected parts of the names of harnesses, as `cargo xtask kani --list` shows them"
+        )));
+    }
+    let folder = root.join(TARGET);
+    let results = folder.join(RESULTS);
+    // What an earlier run left is no result of this one.
+    if results.exists() {
+        std::fs::remove_dir_all(&results).map_err(|e| Error::file("remove", &results, e))?;
+    }
+    let status = start(root, &folder, filters, limits)?;
+    let reported = read(&results)?;
+    if reported.is_empty() && !status.success() {
+        return Ok(Err(NotRun(format!("`cargo kani` ended with {status} before any harness"))));
+    }
+    Ok(Ok(compare(&expected, reported, kani, limits)))
+}
+
+/// Runs `cargo kani` under a limit of memory; what it prints goes to stderr.
+fn start(root: &Path, folder: &Path, filters: &[String], limits: Limits) -> Result<ExitStatus> {
+    let progress = io::stderr().as_fd().try_clone_to_owned()?;
+    let mut command = Command::new("sh");
+    // A limit that a process sets for itself its children inherit, the solvers among them.
+    command.args(["-c", "ulimit -v \"$1\" && shift && exec \"$@\"", "cordon"]);
+    command.arg((limits.mebibytes * 1024).to_string());
+    command.args(["cargo", "kani", "--output-into-files", "--output-format", "terse"]);
+    command.args(["-Z", "unstable-options", "--harness-timeout"]).arg(limits.seconds.to_string());
+    command.arg("--jobs").arg(limits.jobs.to_string());
+    command.arg("--target-dir").arg(folder);
+    for filter in filters {
+        command.arg("--harness").arg(filter);
+    }
+    command.current_dir(root).stdin(Stdio::null()).stdout(progress);
+    command.status().map_err(|e| Error::file("start", Path::new("sh"), e))
+}
+
+/// The text of each harness's file.
+fn read(folder: &Path) -> Result<BTreeMap<String, String>> {
+    let mut found = BTreeMap::new();
+    if !folder.is_dir() {
+        return Ok(found);
+    }
+    let fail = |e| Error::file("read", folder, e);
+    for entry in std::fs::read_dir(folder).map_err(fail)? {
+        let path: PathBuf = entry.map_err(fail)?.path();
+        let name = path.file_name().map(|n| n.to_string_lossy().into_owned());
+        found.insert(name.unwrap_or_default(), files::read_text(&path)?);
+    }
+    Ok(found)
+}
+
+/// Holds what was reported against what was expected.
+fn compare(
+    expected: &[&'static Harness],
+    mut reported: BTreeMap<String, String>,
+    kani: &Kani,
+    limits: Limits,
+) -> Report {
+    let harnesses = expected.iter().map(|&harness| {
+        let finding = match reported.remove(harness.name) {
+            Some(text) => results::read(&text, harness.expected),
+            None => Finding::missing(),
+        };
+        Checked { harness, finding }
+    });
+    let harnesses = harnesses.collect();
+    // What is left nobody asked for.
+    Report { kani: kani.clone(), limits, harnesses, unexpected: reported.into_keys().collect() }
+}

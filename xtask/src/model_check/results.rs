@@ -1,0 +1,256 @@
+//! What Kani wrote about one harness.
+
+use cordon_kani::Expected;
+
+use cordon_core::Outcome;
+
+/// How a harness ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Every check holds, or the expected counterexample was found; every cover is met.
+    Proved,
+    /// A check fails that has to hold, or none fails where one has to.
+    Refuted,
+    /// A cover is not met: what was proved may be true of nothing.
+    Vacuous,
+    /// The time limit was reached.
+    TimedOut,
+    /// The memory limit was reached.
+    OutOfMemory,
+    /// The model checker ended without a verdict.
+    Broken,
+    /// There is no report of it.
+    Missing,
+}
+
+impl Verdict {
+    /// The verdict in a word or two.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Proved => "proved",
+            Self::Refuted => "refuted",
+            Self::Vacuous => "cover not met",
+            Self::TimedOut => "timed out",
+            Self::OutOfMemory => "out of memory",
+            Self::Broken => "no verdict",
+            Self::Missing => "missing",
+        }
+    }
+
+    /// What it contributes to the outcome of a run.
+    pub fn outcome(self) -> Outcome {
+        match self {
+            Self::Proved => Outcome::Holds,
+            Self::Refuted => Outcome::Refuted,
+            Self::TimedOut | Self::OutOfMemory | Self::Broken => Outcome::Inconclusive,
+            Self::Vacuous | Self::Missing => Outcome::Rejected,
+        }
+    }
+}
+
+/// What was found of a harness.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// How it ended.
+    pub verdict: Verdict,
+    /// What is wrong, in words; empty where nothing is.
+    pub detail: String,
+    /// Checks made, the covers aside.
+    pub checks: usize,
+    /// Covers met, and covers.
+    pub covers: (usize, usize),
+    /// Seconds that the model checker took, where it says so.
+    pub seconds: Option<f64>,
+}
+
+impl Finding {
+    /// Of a harness without a report.
+    pub fn missing() -> Self {
+        Self {
+            verdict: Verdict::Missing,
+            detail: "no report of it".to_owned(),
+            checks: 0,
+            covers: (0, 0),
+            seconds: None,
+        }
+    }
+}
+
+/// One check of a report.
+struct Check {
+    name: String,
+    status: String,
+    description: String,
+}
+
+impl Check {
+    fn is_cover(&self) -> bool {
+        matches!(self.status.as_str(), "SATISFIED" | "UNSATISFIABLE")
+            || self.name.rsplit('.').nth(1) == Some("cover")
+    }
+}
+
+/// Reads the file that Kani wrote about a harness (its `regular` format).
+///
+/// The verdict is that of the checks, each with its status; Kani's own closing line has to agree.
+pub fn read(text: &str, expected: Expected) -> Finding {
+    let checks = checks(text);
+    let (covers, asserted): (Vec<_>, Vec<_>) = checks.iter().partition(|c| c.is_cover());
+    let met = covers.iter().filter(|c| c.status == "SATISFIED").count();
+    let failed: Vec<_> = asserted.iter().filter(|c| c.status == "FAILURE").collect();
+    // A failing loop bound leaves others undetermined; then nothing is proved.
+    let open = asserted
+        .iter()
+        .any(|c| !matches!(c.status.as_str(), "SUCCESS" | "FAILURE" | "UNREACHABLE"));
+    let said = text.lines().find_map(|l| l.trim().strip_prefix("VERIFICATION:- "));
+    let succeeded = said.is_some_and(|s| s.starts_with("SUCCESSFUL"));
+
+    let (verdict, detail) = if text.contains("CBMC timed out") {
+        (Verdict::TimedOut, "the time limit was reached".to_owned())
+    } else if text.contains("out of memory") || text.contains("bad_alloc") {
+        (Verdict::OutOfMemory, "the memory limit was reached".to_owned())
+    } else if asserted.is_empty() || said.is_none() {
+        let last = text.lines().rfind(|l| !l.trim().is_empty()).unwrap_or("an empty report");
+        (Verdict::Broken, last.trim().to_owned())
+    } else {
+        match expected {
+            Expected::Holds if !failed.is_empty() => {
+                let first: Vec<_> = failed.iter().map(|c| c.description.as_str()).collect();
+                (Verdict::Refuted, first.join("; "))
+            }
+            Expected::Fails if failed.is_empty() => {
+                (Verdict::Refuted, "no counterexample where one was expected".to_owned())
+            }
+            _ if !succeeded => {
+                (Verdict::Refuted, format!("Kani says {}", said.unwrap_or_default()))
+            }
+            Expected::Holds if open => (Verdict::Broken, "a check is undetermined".to_owned()),
+            _ if covers.is_empty() => (Verdict::Vacuous, "it has no cover".to_owned()),
+            _ if met < covers.len() => {
+                (Verdict::Vacuous, format!("{met} of {} covers met", covers.len()))
+            }
+            _ => (Verdict::Proved, String::new()),
+        }
+    };
+    Finding {
+        verdict,
+        detail,
+        checks: asserted.len(),
+        covers: (met, covers.len()),
+        seconds: seconds(text),
+    }
+}
+
+/// The checks of a report: `Check 1: NAME`, then its status and description, indented.
+fn checks(text: &str) -> Vec<Check> {
+    let mut found: Vec<Check> = Vec::new();
+    for line in text.lines().map(str::trim) {
+        if let Some((_, name)) = line.strip_prefix("Check ").and_then(|l| l.split_once(": ")) {
+            let (status, description) = (String::new(), String::new());
+            found.push(Check { name: name.to_owned(), status, description });
+        } else if let Some(check) = found.last_mut() {
+            if let Some(status) = line.strip_prefix("- Status: ") {
+                check.status = status.to_owned();
+            } else if let Some(said) = line.strip_prefix("- Description: ") {
+                check.description = said.trim_matches('"').to_owned();
+            }
+        }
+    }
+    found
+}
+
+fn seconds(text: &str) -> Option<f64> {
+    let said = text.lines().find_map(|l| l.trim().strip_prefix("Verification Time: "))?;
+    said.strip_suffix('s')?.parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PROVED: &str = "\
+RESULTS:
+Check 1: harnesses::ordering::step_3.assertion.1
+\t - Status: SUCCESS
+\t - Description: \"attempt to add with overflow\"
+\t - Location: src/lib.rs:5:68 in function v::a
+
+Check 2: harnesses::ordering::step_3.cover.1
+\t - Status: SATISFIED
+\t - Description: \"the witness is reached\"
+\t - Location: src/lib.rs:5:89 in function v::a
+
+
+SUMMARY:
+ ** 0 of 1 failed
+
+ ** 1 of 1 cover properties satisfied
+
+
+VERIFICATION:- SUCCESSFUL
+Verification Time: 2.5s
+";
+
+    fn verdict(text: &str, expected: Expected) -> Verdict {
+        read(text, expected).verdict
+    }
+
+    #[test]
+    fn a_report_is_read() {
+        let finding = read(PROVED, Expected::Holds);
+        assert_eq!(finding.verdict, Verdict::Proved);
+        assert_eq!((finding.checks, finding.covers), (1, (1, 1)));
+        assert_eq!(finding.seconds, Some(2.5));
+        assert_eq!(finding.detail, "");
+    }
+
+    #[test]
+    fn whatever_is_amiss_is_no_proof() {
+        let failing = PROVED.replace("Status: SUCCESS", "Status: FAILURE");
+        let failing = failing.replace("VERIFICATION:- SUCCESSFUL", "VERIFICATION:- FAILED");
+        assert_eq!(verdict(&failing, Expected::Holds), Verdict::Refuted);
+        assert!(read(&failing, Expected::Holds).detail.contains("add with overflow"));
+        // A failure that Kani would let pass.
+        let lenient = PROVED.replace("Status: SUCCESS", "Status: FAILURE");
+        assert_eq!(verdict(&lenient, Expected::Holds), Verdict::Refuted);
+        // Its closing line alone.
+        let closing = PROVED.replace("VERIFICATION:- SUCCESSFUL", "VERIFICATION:- FAILED");
+        assert_eq!(verdict(&closing, Expected::Holds), Verdict::Refuted);
+        let cut = PROVED.split("SUMMARY").next().unwrap_or_default();
+        assert_eq!(verdict(cut, Expected::Holds), Verdict::Broken);
+        let unmet = PROVED.replace("SATISFIED", "UNSATISFIABLE");
+        assert_eq!(verdict(&unmet, Expected::Holds), Verdict::Vacuous);
+        let unreachable = PROVED.replace("SATISFIED", "UNREACHABLE");
+        assert_eq!(verdict(&unreachable, Expected::Holds), Verdict::Vacuous);
+        let undetermined = PROVED.replace("Status: SUCCESS", "Status: UNDETERMINED");
+        assert_eq!(verdict(&undetermined, Expected::Holds), Verdict::Broken);
+        let none = PROVED.replace("step_3.cover.1", "step_3.assertion.2");
+        let none = none.replace("SATISFIED", "SUCCESS");
+        assert_eq!(verdict(&none, Expected::Holds), Verdict::Vacuous);
+        let slow = "CBMC failed\nVERIFICATION:- FAILED\nCBMC timed out. You may want to rerun\n";
+        assert_eq!(verdict(slow, Expected::Holds), Verdict::TimedOut);
+        assert_eq!(verdict(slow, Expected::Fails), Verdict::TimedOut);
+        let large = "CBMC failed\nVERIFICATION:- FAILED\nCBMC ran out of memory\n";
+        assert_eq!(verdict(large, Expected::Holds), Verdict::OutOfMemory);
+        let failed = "CBMC failed with status 6\nVERIFICATION:- FAILED\n";
+        assert_eq!(verdict(failed, Expected::Fails), Verdict::Broken);
+        assert_eq!(verdict("", Expected::Holds), Verdict::Broken);
+    }
+
+    #[test]
+    fn a_counterexample_has_to_be_found_where_one_is_expected() {
+        assert_eq!(verdict(PROVED, Expected::Fails), Verdict::Refuted);
+        let found = PROVED.replace("Status: SUCCESS", "Status: FAILURE");
+        assert_eq!(verdict(&found, Expected::Fails), Verdict::Proved);
+        let unmet = found.replace("SATISFIED", "UNSATISFIABLE");
+        assert_eq!(verdict(&unmet, Expected::Fails), Verdict::Vacuous);
+    }
+
+    #[test]
+    fn every_verdict_has_its_outcome() {
+        assert_eq!(Verdict::Proved.outcome(), Outcome::Holds);
+        assert_eq!(Verdict::Refuted.outcome(), Outcome::Refuted);
+        assert_eq!(Verdict::TimedOut.outcome(), Outcome::Inconclusive);
+        assert_eq!(Finding::missing().verdict.outcome(), Outcome::Rejected);
+    }
+}

@@ -1,0 +1,152 @@
+//! The committed certificates, judged by the independent checker.
+
+use std::cell::OnceCell;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use cordon_check::Verdict as Answer;
+use cordon_check::format::{Certificate, read};
+use cordon_spec::theorems::{Form, Theorem};
+
+use super::{Evidence, Kind, Tier, Verdict, this_program};
+use cordon_core::files;
+
+/// Where the certificates are, below the root.
+const FOLDER: &str = "proofs/certificates";
+
+/// The tier.
+#[derive(Debug)]
+pub struct Certificates {
+    folder: PathBuf,
+    judged: OnceCell<Result<Vec<Judged>, String>>,
+}
+
+/// A certificate with the checker's verdict.
+#[derive(Debug)]
+struct Judged {
+    /// What it claims: a theorem's number, or that with an extension (`7.3-mirror`). Empty for
+    /// a file that says nothing readable.
+    claim: String,
+    /// Whether it is the theorem itself: the sharp form, every N, all weights of its range.
+    whole: bool,
+    verdict: Verdict,
+    /// The checker's words.
+    said: String,
+    seconds: f64,
+}
+
+impl Certificates {
+    /// The certificates below the repository's root.
+    pub fn new(root: &Path) -> Self {
+        Self { folder: root.join(FOLDER), judged: OnceCell::new() }
+    }
+
+    fn judged(&self) -> &Result<Vec<Judged>, String> {
+        self.judged.get_or_init(|| {
+            let mut paths = Vec::new();
+            files_below(&self.folder, &mut paths)
+                .map_err(|_| format!("no certificates at `{FOLDER}`"))?;
+            paths.sort();
+            paths.iter().map(|path| judge(path)).collect()
+        })
+    }
+}
+
+fn files_below(folder: &Path, found: &mut Vec<PathBuf>) -> std::io::Result<()> {
+    for entry in std::fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            files_below(&path, found)?;
+        } else if path.extension().is_some_and(|e| e == "json") {
+            found.push(path);
+        }
+    }
+    Ok(())
+}
+
+fn judge(path: &Path) -> Result<Judged, String> {
+    let text = files::read_text(path).map_err(|e| e.to_string())?;
+    let started = Instant::now();
+    let answer = cordon_check::check(&text);
+    let seconds = started.elapsed().as_secs_f64();
+    let (claim, whole) = match read(&text) {
+        Ok(Certificate::Theorem(c)) => {
+            let whole = c.form.as_deref() == Some(Form::Sharp.label());
+            let whole = whole && c.drones.is_none() && c.weights.is_none();
+            (c.claim, whole)
+        }
+        Ok(Certificate::Exactness(c)) => (format!("{}-exact", c.theorem), false),
+        // About one N and one eps, a counterexample, or a user's own protocol: no theorem. And
+        // what cannot be read is about nothing.
+        Ok(_) | Err(_) => (String::new(), false),
+    };
+    let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+    let said = answer.to_string();
+    let verdict = match answer {
+        Answer::Valid { .. } => Verdict::Holds,
+        Answer::Incomplete { .. } => Verdict::Inconclusive(format!("{name}: {said}")),
+        Answer::Invalid { .. } | Answer::Unreadable { .. } => {
+            Verdict::Rejected(format!("{name}: {said}"))
+        }
+    };
+    Ok(Judged { claim, whole, verdict, said, seconds })
+}
+
+/// Whether a claim is about the theorem: `7.3`, `7.3-mirror`, and `7.5-identity` of 7.5i.
+fn is_about(claim: &str, theorem: Theorem) -> bool {
+    let (number, extension) = claim.split_once('-').unwrap_or((claim, ""));
+    let of_theorem = theorem.text().number;
+    number == of_theorem
+        || (extension == "identity" && of_theorem.strip_suffix('i') == Some(number))
+}
+
+impl Tier for Certificates {
+    fn name(&self) -> &'static str {
+        "certificate"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Certified
+    }
+
+    fn tool(&self) -> String {
+        format!("cordon-check, in {}", this_program())
+    }
+
+    fn sources(&self) -> &'static [&'static str] {
+        &["spec/src", "proofs/checker/src", FOLDER]
+    }
+
+    fn status(&self, theorem: Theorem) -> Evidence {
+        let judged = match self.judged() {
+            Ok(judged) => judged,
+            Err(why) => return Evidence::NotRun(why.clone()),
+        };
+        let mine: Vec<_> = judged.iter().filter(|j| is_about(&j.claim, theorem)).collect();
+        if mine.is_empty() {
+            return Evidence::NotRun(format!("no certificate about {}", theorem.text().number));
+        }
+        // The theorem itself has to be among the accepted; extensions alone prove it not.
+        let itself = mine.iter().find(|j| j.whole && j.claim == theorem.text().number);
+        let worst = mine.iter().map(|j| &j.verdict).max_by_key(|v| v.outcome().code());
+        let verdict = match (worst, itself) {
+            (Some(worst), _) if *worst != Verdict::Holds => worst.clone(),
+            (_, Some(_)) => Verdict::Holds,
+            _ => Verdict::Inconclusive("only parts or extensions of it are certified".into()),
+        };
+        let scope = match itself {
+            Some(j) => j.said.trim_start_matches("valid: ").to_owned(),
+            None => format!("{} certificates", mine.len()),
+        };
+        let extra = mine.len() - usize::from(itself.is_some());
+        let scope = if extra == 0 { scope } else { format!("{scope}; and {extra} more") };
+        Evidence::Run { verdict, scope, seconds: mine.iter().map(|j| j.seconds).sum() }
+    }
+
+    fn problems(&self) -> Vec<Verdict> {
+        let Ok(judged) = self.judged() else { return Vec::new() };
+        let of_no_theorem =
+            judged.iter().filter(|j| !Theorem::ALL.iter().any(|&t| is_about(&j.claim, t)));
+        of_no_theorem.map(|j| j.verdict.clone()).filter(|v| *v != Verdict::Holds).collect()
+    }
+}

@@ -1,0 +1,198 @@
+//! Tiers whose work is done by a program outside: a proof assistant.
+//!
+//! They take minutes, so that they run on request (`--run`) and are otherwise shown by record.
+//! What they claim stands in a table beside their sources: tab-separated, a heading, the
+//! theorem's number first, its form second, the statement in words last.
+
+use std::cell::OnceCell;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+use std::time::Instant;
+
+use cordon_spec::theorems::Theorem;
+
+use super::{Context, Evidence, Kind, Tier, Verdict};
+use cordon_core::files;
+
+/// What distinguishes one such tier from another.
+#[derive(Debug)]
+struct Tool {
+    name: &'static str,
+    kind: Kind,
+    /// Folder of the development, below the root.
+    folder: &'static str,
+    /// Where the program is started, below the root.
+    directory: &'static str,
+    program: &'static str,
+    arguments: &'static [&'static str],
+    /// Command that answers with the tool's version.
+    version: [&'static str; 3],
+    sources: &'static [&'static str],
+}
+
+const ROCQ: Tool = Tool {
+    name: "rocq",
+    kind: Kind::Mechanised,
+    folder: "proofs/rocq",
+    directory: "proofs/rocq",
+    program: "./check.sh",
+    arguments: &[],
+    version: ["coqc", "--version", ""],
+    sources: &["spec/src", "proofs/rocq"],
+};
+
+const LEAN: Tool = Tool {
+    name: "lean",
+    kind: Kind::Mechanised,
+    folder: "lean-mirror",
+    directory: "lean-mirror",
+    program: "lake",
+    arguments: &["build"],
+    version: ["lake", "--version", ""],
+    sources: &["spec/src", "lean-mirror"],
+};
+
+/// The table of what a tier claims, in its folder.
+const TABLE: &str = "theorems.tsv";
+
+/// A tier that runs a program.
+#[derive(Debug)]
+pub struct External {
+    tool: Tool,
+    root: PathBuf,
+    requested: bool,
+    ran: OnceCell<Result<Ran, String>>,
+}
+
+#[derive(Debug)]
+struct Ran {
+    verdict: Verdict,
+    seconds: f64,
+}
+
+/// The Rocq development.
+pub fn rocq(context: Context<'_>) -> External {
+    External::new(ROCQ, context)
+}
+
+/// The Lean mirror.
+pub fn lean(context: Context<'_>) -> External {
+    External::new(LEAN, context)
+}
+
+impl External {
+    fn new(tool: Tool, context: Context<'_>) -> Self {
+        let requested = context.run.iter().any(|name| name == tool.name);
+        Self { tool, root: context.root.to_owned(), requested, ran: OnceCell::new() }
+    }
+
+    /// Rows of the table about a theorem: form and statement.
+    fn rows(&self, theorem: Theorem) -> Result<Vec<Row>, String> {
+        let path = self.root.join(self.tool.folder).join(TABLE);
+        let text = files::read_text(&path)
+            .map_err(|_| format!("no `{}/{TABLE}` that says what is claimed", self.tool.folder))?;
+        Ok(text.lines().skip(1).filter_map(Row::read).filter(|r| r.is_about(theorem)).collect())
+    }
+
+    fn run(&self) -> Result<Ran, String> {
+        let Tool { program, arguments, directory, .. } = self.tool;
+        if version(self.tool.version).is_none() {
+            return Err(format!("`{}` is not installed", self.tool.version[0]));
+        }
+        let started = Instant::now();
+        let out = Command::new(program)
+            .args(arguments)
+            .current_dir(self.root.join(directory))
+            .stdin(Stdio::null())
+            // Its progress is ours.
+            .stderr(Stdio::inherit())
+            .output()
+            .map_err(|e| format!("`{program}` does not run: {e}"))?;
+        let seconds = started.elapsed().as_secs_f64();
+        let said = String::from_utf8_lossy(&out.stdout);
+        let verdict = if out.status.success() {
+            Verdict::Holds
+        } else {
+            let last: Vec<_> = said.lines().filter(|l| !l.trim().is_empty()).collect();
+            let tail = last.get(last.len().saturating_sub(3)..).unwrap_or_default().join("; ");
+            Verdict::Rejected(format!("`{program}` ended with {}: {tail}", out.status))
+        };
+        Ok(Ran { verdict, seconds })
+    }
+}
+
+struct Row {
+    number: String,
+    form: String,
+}
+
+impl Row {
+    fn read(line: &str) -> Option<Self> {
+        let mut columns = line.split('\t');
+        let (number, form) = (columns.next()?.to_owned(), columns.next()?.to_owned());
+        Some(Self { number, form })
+    }
+
+    /// Whether the row is about the theorem or, as `7.4`, about all its parts.
+    fn is_about(&self, theorem: Theorem) -> bool {
+        let number = theorem.text().number;
+        self.number == number || self.number == number.trim_end_matches('i')
+    }
+}
+
+fn version(command: [&str; 3]) -> Option<String> {
+    let [program, arguments @ ..] = command;
+    let out = Command::new(program)
+        .args(arguments.iter().filter(|a| !a.is_empty()))
+        .stderr(Stdio::null())
+        .output()
+        .ok()?;
+    let text = String::from_utf8(out.stdout).ok()?;
+    out.status.success().then(|| text.lines().next().unwrap_or(program).trim().to_owned())
+}
+
+impl Tier for External {
+    fn name(&self) -> &'static str {
+        self.tool.name
+    }
+
+    fn kind(&self) -> Kind {
+        self.tool.kind
+    }
+
+    fn tool(&self) -> String {
+        version(self.tool.version).unwrap_or_else(|| self.tool.version[0].to_owned())
+    }
+
+    fn sources(&self) -> &'static [&'static str] {
+        self.tool.sources
+    }
+
+    fn status(&self, theorem: Theorem) -> Evidence {
+        let Tool { name, folder, .. } = self.tool;
+        if !self.root.join(folder).is_dir() {
+            return Evidence::NotRun(format!("no `{folder}` here"));
+        }
+        let rows = match self.rows(theorem) {
+            Ok(rows) => rows,
+            Err(why) => return Evidence::NotRun(why),
+        };
+        if rows.is_empty() {
+            return Evidence::NotClaimed(format!("no row of `{folder}/{TABLE}` is about it"));
+        }
+        if !self.requested {
+            return Evidence::NotRun(format!("on request only: `--run {name}`"));
+        }
+        match self.ran.get_or_init(|| self.run()) {
+            Err(why) => Evidence::NotRun(why.clone()),
+            Ok(ran) => {
+                let forms: Vec<_> = rows.iter().map(|r| r.form.as_str()).collect();
+                Evidence::Run {
+                    verdict: ran.verdict.clone(),
+                    scope: forms.join("; "),
+                    seconds: ran.seconds,
+                }
+            }
+        }
+    }
+}

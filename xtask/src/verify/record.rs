@@ -1,0 +1,162 @@
+//! Records of runs: what was verified, by which tool, for which sources.
+
+use std::path::{Path, PathBuf};
+
+use cordon_spec::theorems::Theorem;
+use serde::{Deserialize, Serialize};
+use time::OffsetDateTime;
+
+use super::{Evidence, Tier, Verdict, sources};
+use cordon_core::{Error, Result, files};
+
+/// The file, below the repository's root.
+const FILE: &str = "proofs/records.json";
+
+/// Version of its format.
+const SCHEMA: &str = "cordon-records/1";
+
+/// All records.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Records {
+    schema: String,
+    records: Vec<Record>,
+}
+
+/// One run of a tier.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Record {
+    /// Name of the tier.
+    pub tier: String,
+    /// What ran, with its version.
+    pub tool: String,
+    /// When, in UTC: `2026-01-31`.
+    pub date: String,
+    /// Hash of the sources it was run for.
+    pub sources: String,
+    /// What it found.
+    pub theorems: Vec<Entry>,
+}
+
+/// What a run found of one theorem.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Entry {
+    /// The theorem's number.
+    pub number: String,
+    /// What was found: `holds`, `refuted`, `rejected` or `inconclusive`.
+    pub result: Found,
+    /// What was covered, or why it was not accepted.
+    pub scope: String,
+    /// How long it took, in seconds, to a tenth.
+    pub seconds: f64,
+}
+
+/// A verdict, in a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Found {
+    /// It holds.
+    Holds,
+    /// A counterexample was found.
+    Refuted,
+    /// A certificate or proof was not accepted.
+    Rejected,
+    /// Neither.
+    Inconclusive,
+}
+
+impl Entry {
+    /// The verdict with the recorded words.
+    pub fn verdict(&self) -> Verdict {
+        let said = self.scope.clone();
+        match self.result {
+            Found::Holds => Verdict::Holds,
+            Found::Refuted => Verdict::Refuted(said),
+            Found::Rejected => Verdict::Rejected(said),
+            Found::Inconclusive => Verdict::Inconclusive(said),
+        }
+    }
+}
+
+impl Records {
+    /// The repository's records; none where there is no file.
+    ///
+    /// # Errors
+    /// A file that is no record file of this version.
+    pub fn read(root: &Path) -> Result<Self> {
+        let path = root.join(FILE);
+        if !path.exists() {
+            return Ok(Self { schema: SCHEMA.to_owned(), records: Vec::new() });
+        }
+        let records: Self = serde_json::from_str(&files::read_text(&path)?).map_err(|e| {
+            let (line, column) = (e.line(), e.column());
+            Error::input(format!("{}:{line}:{column}: expected records: {e}", path.display()))
+        })?;
+        if records.schema != SCHEMA {
+            return Err(Error::input(format!(
+                "{}: schema `{}`: expected `{SCHEMA}`",
+                path.display(),
+                records.schema
+            )));
+        }
+        Ok(records)
+    }
+
+    /// The record of a tier.
+    pub fn of(&self, tier: &str) -> Option<&Record> {
+        self.records.iter().find(|r| r.tier == tier)
+    }
+
+    /// Runs the tier on the theorems and writes what it found into the repository's records, in
+    /// place of the tier's record before.
+    ///
+    /// # Errors
+    /// The tier does not run, or the file cannot be written.
+    pub fn record(mut self, root: &Path, tier: &dyn Tier, theorems: &[Theorem]) -> Result<PathBuf> {
+        // Hashed before the run: what changes meanwhile makes the record stale.
+        let hash = sources::hash(root, tier.sources())?;
+        let mut entries = Vec::new();
+        let mut reasons = Vec::new();
+        for &theorem in theorems {
+            match tier.status(theorem) {
+                Evidence::Run { verdict, scope, seconds } => {
+                    entries.push(entry(theorem, verdict, scope, seconds));
+                }
+                Evidence::NotRun(why) | Evidence::NotClaimed(why) => reasons.push(why),
+            }
+        }
+        if entries.is_empty() {
+            reasons.sort();
+            reasons.dedup();
+            let (name, why) = (tier.name(), reasons.join("; "));
+            return Err(Error::input(format!("--record: `{name}` did not run: {why}")));
+        }
+        self.records.retain(|r| r.tier != tier.name());
+        self.records.push(Record {
+            tier: tier.name().to_owned(),
+            tool: tier.tool(),
+            date: OffsetDateTime::now_utc().date().to_string(),
+            sources: hash,
+            theorems: entries,
+        });
+        self.records.sort_by(|a, b| a.tier.cmp(&b.tier));
+        let path = root.join(FILE);
+        let text = serde_json::to_string_pretty(&self)
+            .map_err(|e| Error::input(format!("{}: {e}", path.display())))?;
+        files::write_atomically(&path, format!("{text}\n").as_bytes())?;
+        Ok(path)
+    }
+}
+
+fn entry(theorem: Theorem, verdict: Verdict, scope: String, seconds: f64) -> Entry {
+    let (result, scope) = match verdict {
+        Verdict::Holds => (Found::Holds, scope),
+        Verdict::Refuted(why) => (Found::Refuted, why),
+        Verdict::Rejected(why) => (Found::Rejected, why),
+        Verdict::Inconclusive(why) => (Found::Inconclusive, why),
+    };
+    let seconds = (seconds * 10.0).round() / 10.0;
+    Entry { number: theorem.text().number.to_owned(), result, scope, seconds }
+}

@@ -1,0 +1,103 @@
+//! Inductive steps, proved by an SMT solver.
+
+use std::io::Write;
+use std::process::{Command, Stdio};
+use std::time::Instant;
+
+use cordon_spec::theorems::{Form, Theorem};
+
+use super::{Evidence, Kind, Tier, Verdict};
+use cordon_proof::export::claim::Claim;
+use cordon_proof::export::smt_model::{Answer, read_answer};
+use cordon_proof::export::smt2::{Query, Weights, obligations};
+
+/// The tier: z3, where it is on PATH.
+#[derive(Clone, Copy, Debug)]
+pub struct Smt;
+
+/// The numbers of drones.
+const DRONES: std::ops::RangeInclusive<usize> = 3..=6;
+
+/// Longest time for one query, in seconds. All of them together take about two.
+const SECONDS: u32 = 30;
+
+/// The solver.
+const SOLVER: &str = "z3";
+
+impl Tier for Smt {
+    fn name(&self) -> &'static str {
+        "smt"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::InductivePerCount
+    }
+
+    fn tool(&self) -> String {
+        version().unwrap_or_else(|| SOLVER.to_owned())
+    }
+
+    fn sources(&self) -> &'static [&'static str] {
+        &["spec/src", "crates/proof/src/export"]
+    }
+
+    fn status(&self, theorem: Theorem) -> Evidence {
+        let claim = Claim::Theorem(theorem);
+        if !Claim::ALL.contains(&claim) {
+            return Evidence::NotClaimed("a limit has no inductive step".into());
+        }
+        if version().is_none() {
+            return Evidence::NotRun(format!("`{SOLVER}` is not on PATH"));
+        }
+        let started = Instant::now();
+        let queries: Vec<_> = DRONES
+            .flat_map(|n| obligations(claim, Form::Sharp, n, &Weights::OfHypothesis))
+            .collect();
+        let verdict = queries.iter().map(solve).find(|v| *v != Verdict::Holds);
+        let (first, last) = (DRONES.start(), DRONES.end());
+        let scope = format!(
+            "N = {first}..{last}, all eps in its range, all starts, all k: {} obligations",
+            queries.len()
+        );
+        Evidence::Run {
+            verdict: verdict.unwrap_or(Verdict::Holds),
+            scope,
+            seconds: started.elapsed().as_secs_f64(),
+        }
+    }
+}
+
+/// What the solver calls itself, if it is there.
+fn version() -> Option<String> {
+    let out = Command::new(SOLVER).arg("--version").output().ok()?;
+    let text = String::from_utf8(out.stdout).ok()?;
+    out.status.success().then(|| text.lines().next().unwrap_or(SOLVER).trim().to_owned())
+}
+
+fn solve(query: &Query) -> Verdict {
+    let name = query.name();
+    match ask(&query.text())
+        .map_err(|e| e.to_string())
+        .and_then(|text| read_answer(query, &text).map_err(|e| e.to_string()))
+    {
+        Ok(Answer::Unsat) => Verdict::Holds,
+        Ok(Answer::Sat(_)) => Verdict::Refuted(format!("obligation {name} is satisfiable")),
+        Ok(Answer::Unknown(word)) => Verdict::Inconclusive(format!("obligation {name}: {word}")),
+        Err(why) => Verdict::Inconclusive(format!("obligation {name}: {why}")),
+    }
+}
+
+fn ask(text: &str) -> std::io::Result<String> {
+    let mut child = Command::new(SOLVER)
+        .args(["-in", &format!("-T:{SECONDS}")])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()?;
+    if let Some(mut stdin) = child.stdin.take() {
+        // The solver reads everything before it answers more than a pipe holds.
+        stdin.write_all(text.as_bytes())?;
+    }
+    let out = child.wait_with_output()?;
+    Ok(String::from_utf8_lossy(&out.stdout).into_owned())
+}

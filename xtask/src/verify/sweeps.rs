@@ -1,0 +1,130 @@
+//! The two kinds of sweep, each at a size that takes about a second.
+
+use std::time::Instant;
+
+use cordon_spec::theorems::{Form, Theorem};
+
+use super::{Evidence, Kind, Tier, Verdict, this_program};
+use cordon_core::Result;
+use cordon_proof::sweep::run::{Progress, run};
+use cordon_proof::sweep::summary::{Claim, claims};
+use cordon_proof::sweep::{Config, Judgement, Starts, Weights};
+
+/// Sweeps over every start on a grid.
+#[derive(Clone, Copy, Debug)]
+pub struct Grid;
+
+/// Complete sweeps.
+#[derive(Clone, Copy, Debug)]
+pub struct Complete;
+
+/// Fewest drones of a swarm.
+const FEWEST: usize = 3;
+
+const GRID: Size = Size { drones: 6, denominator: 6, steps: 10 };
+/// Grid units across the region where internal drones start.
+const RESOLUTION: u32 = 8;
+const COMPLETE: Size = Size { drones: 8, denominator: 12, steps: 16 };
+
+/// How far a sweep reaches.
+struct Size {
+    /// Most drones.
+    drones: usize,
+    /// Largest denominator of the weights.
+    denominator: u32,
+    /// Last step.
+    steps: usize,
+}
+
+impl Size {
+    fn sweep(&self, theorem: Theorem, starts: Starts) -> Result<Option<Claim>> {
+        let weights = Weights::unit(self.denominator);
+        let drones = [FEWEST, self.drones];
+        let config = Config::new(&[theorem], &[Form::Sharp], drones, weights, self.steps, starts);
+        let items = config.items()?;
+        let mut findings = Vec::new();
+        run(&config, &items, 0, &Progress::default(), |finding| {
+            findings.push(finding);
+            Ok(())
+        })?;
+        Ok(claims(&config, &findings, false)?.pop())
+    }
+
+    fn evidence(&self, theorem: Theorem, starts: Starts, what: &str) -> Evidence {
+        let started = Instant::now();
+        let claim = match self.sweep(theorem, starts) {
+            Ok(claim) => claim,
+            Err(e) => return Evidence::NotRun(e.to_string()),
+        };
+        let Some(claim) = claim else {
+            return Evidence::NotRun("the sweep has no work item".into());
+        };
+        let verdict = match claim.verdict {
+            Judgement::Holds => Verdict::Holds,
+            Judgement::Refuted => Verdict::Refuted(format!(
+                "{} of {} combinations of N and eps violate it",
+                claim.refuted, claim.items
+            )),
+            Judgement::Vacuous => Verdict::Inconclusive("no case meets its premise".into()),
+            Judgement::Undecided => {
+                let why = claim.reason.unwrap_or_else(|| "no reason given".into());
+                Verdict::Inconclusive(format!(
+                    "{} of {} combinations of N and eps undecided: {why}",
+                    claim.undecided, claim.items
+                ))
+            }
+        };
+        let scope = format!(
+            "N = {FEWEST}..{}, eps = p/q in its range with q <= {}, k <= {}, {what}: {} cases",
+            self.drones, self.denominator, self.steps, claim.counts.cases
+        );
+        Evidence::Run { verdict, scope, seconds: started.elapsed().as_secs_f64() }
+    }
+}
+
+const SOURCES: &[&str] = &["spec/src", "crates/proof/src/sweep", "crates/core/src/stencil.rs"];
+
+impl Tier for Grid {
+    fn name(&self) -> &'static str {
+        "grid"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::ExhaustiveOnGrid
+    }
+
+    fn tool(&self) -> String {
+        this_program()
+    }
+
+    fn sources(&self) -> &'static [&'static str] {
+        SOURCES
+    }
+
+    fn status(&self, theorem: Theorem) -> Evidence {
+        let what = format!("every start on a grid of {RESOLUTION} or more units");
+        GRID.evidence(theorem, Starts::Grid { resolution: RESOLUTION }, &what)
+    }
+}
+
+impl Tier for Complete {
+    fn name(&self) -> &'static str {
+        "complete"
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::CompleteForAllStarts
+    }
+
+    fn tool(&self) -> String {
+        this_program()
+    }
+
+    fn sources(&self) -> &'static [&'static str] {
+        SOURCES
+    }
+
+    fn status(&self, theorem: Theorem) -> Evidence {
+        COMPLETE.evidence(theorem, Starts::Complete, "all real starts")
+    }
+}

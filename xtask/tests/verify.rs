@@ -1,0 +1,501 @@
+//! `cargo xtask verify`: the matrix, records, formats and exit codes. The tools outside are stood in
+//! for by scripts, so that every verdict is seen on every machine.
+
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod common;
+
+use std::os::unix::fs::PermissionsExt;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use common::{has_tool, stderr_of, stdout_of};
+use cordon_core::Outcome;
+use cordon_spec::theorems::Theorem;
+use serde_json::Value;
+use tempfile::TempDir;
+use xtask::verify::matrix::{Cell, collect};
+use xtask::verify::record::Records;
+use xtask::verify::show::{json, junit, sarif};
+use xtask::verify::{Context, Evidence, Kind, NAMES, Tier, Verdict, tiers};
+
+// ---- a repository with tools of its own
+
+struct Repository {
+    dir: TempDir,
+}
+
+impl Repository {
+    fn new() -> Self {
+        let this = Self { dir: tempfile::tempdir().unwrap() };
+        this.write("spec/src/lib.rs", "// the spec");
+        this.write("src/export/mod.rs", "// an engine");
+        this.write("proofs/rocq/theorems.tsv", "id\tform\n7.2\tsharp\n7.2\tpaper\n7.4\tpaper\n");
+        this.write("proofs/rocq/theories/A.v", "Theorem a.");
+        this.script("proofs/rocq/check.sh", "echo progress >&2; echo '3 passed, 0 failed'");
+        this.script("bin/coqc", "echo 'a Rocq for tests, 0.1'");
+        this.script("bin/z3", "if [ \"$1\" = --version ]; then echo 'a z3 for tests'; else cat >/dev/null; echo unsat; fi");
+        this
+    }
+
+    fn root(&self) -> &Path {
+        self.dir.path()
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        let path = self.root().join(name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, text).unwrap();
+    }
+
+    fn script(&self, name: &str, body: &str) {
+        self.write(name, &format!("#!/bin/sh\n{body}\n"));
+        let path = self.root().join(name);
+        std::fs::set_permissions(path, PermissionsExt::from_mode(0o755)).unwrap();
+    }
+
+    fn verify(&self, args: &[&str]) -> Output {
+        let path = format!("{}:/usr/bin:/bin", self.root().join("bin").display());
+        Command::new(env!("CARGO_BIN_EXE_xtask"))
+            .arg("verify")
+            .args(["--root", self.root().to_str().unwrap()])
+            .args(args)
+            .env("PATH", path)
+            .output()
+            .unwrap()
+    }
+
+    fn json(&self, args: &[&str], code: i32) -> Value {
+        let out = self.verify(&[args, &["--format", "json"]].concat());
+        let said = String::from_utf8_lossy(&out.stderr);
+        assert_eq!(out.status.code(), Some(code), "{args:?}: {said}");
+        let page: Value = serde_json::from_slice(&out.stdout).unwrap();
+        assert_eq!(page["schema"], "cordon-verify/1");
+        assert_eq!(page["exit"], code);
+        page
+    }
+
+    fn error(&self, args: &[&str]) -> String {
+        let out = self.verify(args);
+        assert_eq!(out.status.code(), Some(2), "{args:?}");
+        assert!(out.stdout.is_empty());
+        String::from_utf8(out.stderr).unwrap()
+    }
+}
+
+fn cell<'p>(page: &'p Value, tier: &str, theorem: &str) -> &'p Value {
+    let tiers = page["tiers"].as_array().unwrap();
+    let column = tiers.iter().find(|t| t["tier"] == tier).unwrap();
+    let cells = column["cells"].as_array().unwrap();
+    cells.iter().find(|c| c["theorem"] == theorem).unwrap()
+}
+
+// ---- what ran, what is on record, what is not
+
+#[test]
+fn tools_run_on_request_and_are_remembered() {
+    let repo = Repository::new();
+    // Not asked for, no record.
+    let page = repo.json(&["7.2", "--tiers", "rocq"], 3);
+    assert_eq!(cell(&page, "rocq", "7.2")["status"], "not run");
+    assert_eq!(cell(&page, "rocq", "7.2")["detail"], "on request only: `--run rocq`");
+    // Asked for.
+    let page = repo.json(&["--tiers", "rocq", "--run", "rocq"], 0);
+    let found = cell(&page, "rocq", "7.2");
+    assert_eq!((&found["status"], &found["result"]), (&"run now".into(), &"holds".into()));
+    assert_eq!(found["detail"], "sharp; paper");
+    assert!(found["seconds"].as_f64().unwrap() >= 0.0);
+    assert_eq!(cell(&page, "rocq", "7.4ii")["detail"], "paper", "a row `7.4` is about both parts");
+    assert_eq!(cell(&page, "rocq", "7.7")["status"], "not claimed");
+    // Recorded.
+    let out = repo.verify(&["--record", "rocq"]);
+    assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
+    let page = repo.json(&["--tiers", "rocq"], 3);
+    let found = cell(&page, "rocq", "7.2");
+    assert_eq!((&found["status"], &found["result"]), (&"by record".into(), &"holds".into()));
+    assert_eq!(found["record"]["tool"], "a Rocq for tests, 0.1");
+    let date = found["record"]["date"].as_str().unwrap();
+    assert!(date.len() == 10 && date.starts_with("20"), "{date}");
+    // The same text again is the same record: nothing in it but the day is of the moment.
+    assert_eq!(repo.json(&["--tiers", "rocq"], 3), page);
+    // What a tool builds beside the sources changes nothing.
+    repo.write("proofs/rocq/theories/A.vo", "built");
+    repo.write("proofs/rocq/.hidden/A.v", "built");
+    assert_eq!(repo.json(&["--tiers", "rocq"], 3), page);
+    // Other sources, and the record counts for nothing.
+    for changed in ["proofs/rocq/theories/A.v", "spec/src/lib.rs", "proofs/rocq/theories/B.v"] {
+        let path = repo.root().join(changed);
+        let before = std::fs::read_to_string(&path);
+        repo.write(changed, "changed");
+        let page = repo.json(&["--tiers", "rocq"], 3);
+        let found = cell(&page, "rocq", "7.2");
+        assert_eq!((&found["status"], &found["result"]), (&"stale".into(), &Value::Null));
+        match before {
+            Ok(text) => repo.write(changed, &text),
+            Err(_) => std::fs::remove_file(path).unwrap(),
+        }
+    }
+    assert_eq!(repo.json(&["--tiers", "rocq"], 3), page);
+}
+
+#[test]
+fn a_rejected_proof_ends_with_4_and_stays_on_record() {
+    let repo = Repository::new();
+    repo.script(
+        "proofs/rocq/check.sh",
+        "echo 'FAILED no Admitted'; echo '2 passed, 1 failed'; exit 1",
+    );
+    let page = repo.json(&["7.2", "--tiers", "rocq", "--run", "all"], 4);
+    let found = cell(&page, "rocq", "7.2");
+    assert_eq!(found["result"], "rejected");
+    let detail = found["detail"].as_str().unwrap();
+    assert!(detail.contains("FAILED no Admitted; 2 passed, 1 failed"), "{detail}");
+    assert!(repo.verify(&["--record", "rocq"]).status.success());
+    assert_eq!(
+        cell(&repo.json(&["7.2", "--tiers", "rocq"], 4), "rocq", "7.2")["status"],
+        "by record"
+    );
+}
+
+#[test]
+fn a_missing_tool_is_not_run_never_green() {
+    let repo = Repository::new();
+    repo.script("bin/coqc", "exit 1");
+    let page = repo.json(&["--tiers", "rocq,lean,kani", "--run", "all"], 3);
+    assert_eq!(cell(&page, "rocq", "7.2")["detail"], "`coqc` is not installed");
+    assert_eq!(cell(&page, "lean", "7.2")["detail"], "no `lean-mirror` here");
+    assert_eq!(cell(&page, "kani", "7.2")["detail"], "no `kani` here");
+    let error = repo.error(&["--record", "rocq"]);
+    assert!(
+        error.starts_with("error: --record: `rocq` did not run: `coqc` is not installed"),
+        "{error}"
+    );
+    assert!(!repo.root().join("proofs/records.json").exists());
+    // A development without the table of what it claims claims nothing.
+    repo.script("bin/coqc", "echo 1");
+    std::fs::remove_file(repo.root().join("proofs/rocq/theorems.tsv")).unwrap();
+    let page = repo.json(&["--tiers", "rocq", "--run", "rocq"], 3);
+    assert_eq!(
+        cell(&page, "rocq", "7.2")["detail"],
+        "no `proofs/rocq/theorems.tsv` that says what is claimed"
+    );
+}
+
+#[test]
+fn a_solver_proves_refutes_or_gives_up() {
+    let repo = Repository::new();
+    let answering = |answer: &str| {
+        repo.script(
+            "bin/z3",
+            &format!(
+                "if [ \"$1\" = --version ]; then echo z; else cat >/dev/null; echo '{answer}'; fi"
+            ),
+        );
+    };
+    let found = |code| {
+        let page = repo.json(&["7.2,7.8", "--tiers", "smt"], code);
+        assert_eq!(cell(&page, "smt", "7.8")["status"], "not claimed");
+        cell(&page, "smt", "7.2").clone()
+    };
+    let holds = found(0);
+    assert_eq!(holds["result"], "holds");
+    let scope = "N = 3..6, all eps in its range, all starts, all k: 8 obligations";
+    assert_eq!(holds["detail"], scope);
+    answering("sat");
+    let refuted = found(1);
+    assert_eq!(refuted["result"], "refuted");
+    let why = format!("obligation 7.2-sharp-n3-preserved is satisfiable ({scope})");
+    assert_eq!(refuted["detail"], why);
+    answering("unknown");
+    assert_eq!(found(0)["result"], "inconclusive");
+    answering("(error \"line 1\")");
+    assert_eq!(found(0)["result"], "inconclusive");
+    repo.script("bin/z3", "exit 1");
+    assert_eq!(found(3)["detail"], "`z3` is not on PATH");
+}
+
+#[test]
+fn certificates_are_judged_again() {
+    let repo = Repository::new();
+    let page = repo.json(&["--tiers", "certificate"], 3);
+    assert_eq!(
+        cell(&page, "certificate", "7.2")["detail"],
+        "no certificates at `proofs/certificates`"
+    );
+    let contraction = |rate: &str| {
+        format!(
+            "{{\"schema\": \"cordon-certificate/1\", \"certificate\": {{\"contraction\": \
+             {{\"drones\": 5, \"eps\": \"4/7\", \"rate\": \"{rate}\", \"vector\": [\"7\", \"10\", \"7\"]}}}}}}"
+        )
+    };
+    // About no theorem for every N: accepted, and no evidence for any.
+    repo.write("proofs/certificates/sub/good.json", &contraction("999/1000"));
+    let page = repo.json(&["--tiers", "certificate"], 3);
+    assert_eq!(cell(&page, "certificate", "7.8")["detail"], "no certificate about 7.8");
+    // Tampered with.
+    repo.write("proofs/certificates/sub/bad.json", &contraction("1/1000"));
+    let page = repo.json(&["--tiers", "certificate"], 4);
+    let problems = page["tiers"][0]["problems"].as_array().unwrap();
+    assert_eq!(problems.len(), 1);
+    let said = problems[0].as_str().unwrap();
+    assert!(said.starts_with("rejected: bad.json: invalid: contraction: rule "), "{said}");
+    // No certificate at all.
+    std::fs::remove_file(repo.root().join("proofs/certificates/sub/bad.json")).unwrap();
+    repo.write("proofs/certificates/none.json", "{}");
+    let page = repo.json(&["--tiers", "certificate"], 4);
+    let said = page["tiers"][0]["problems"][0].as_str().unwrap();
+    assert!(said.starts_with("rejected: none.json: unreadable: "), "{said}");
+    // An empty proof of a theorem.
+    std::fs::remove_file(repo.root().join("proofs/certificates/none.json")).unwrap();
+    repo.write(
+        "proofs/certificates/empty.json",
+        "{\"schema\": \"cordon-certificate/1\", \"certificate\": {\"theorem\": \
+         {\"claim\": \"7.2\", \"form\": \"sharp\", \"proofs\": []}}}",
+    );
+    let page = repo.json(&["7.2,7.3", "--tiers", "certificate"], 0);
+    assert_eq!(cell(&page, "certificate", "7.2")["result"], "inconclusive");
+    assert_eq!(cell(&page, "certificate", "7.3")["status"], "not run");
+}
+
+#[test]
+fn committed_certificates_prove_every_theorem_and_tampered_ones_none() {
+    let page = stdout_of(&["verify", "--tiers", "certificate", "--format", "json"]);
+    let page: Value = serde_json::from_str(&page).unwrap();
+    for theorem in Theorem::ALL {
+        let found = cell(&page, "certificate", theorem.text().number);
+        assert_eq!(found["result"], "holds", "{found}");
+        let detail = found["detail"].as_str().unwrap();
+        assert!(detail.contains(" (sharp) for every N >= 3, "), "{detail}");
+    }
+    assert_eq!(page["tiers"][0]["problems"], serde_json::json!([]));
+
+    let read =
+        |name: &str| std::fs::read_to_string(Path::new("proofs/certificates").join(name)).unwrap();
+    let repo = Repository::new();
+    // The paper's form, or the sharp form of one N, is not the theorem.
+    repo.write("proofs/certificates/a.json", &read("7.2-paper.json"));
+    let page = repo.json(&["7.2", "--tiers", "certificate"], 0);
+    let found = cell(&page, "certificate", "7.2");
+    assert_eq!(found["result"], "inconclusive");
+    assert!(found["detail"].as_str().unwrap().starts_with("only parts or extensions of it"));
+    // One wrong number.
+    let sharp = read("7.2-sharp.json");
+    let tampered = sharp.replacen("\"1\"", "\"2\"", 1);
+    assert_ne!(sharp, tampered);
+    repo.write("proofs/certificates/b.json", &tampered);
+    let page = repo.json(&["7.2", "--tiers", "certificate"], 4);
+    let found = cell(&page, "certificate", "7.2");
+    assert_eq!(found["result"], "rejected");
+    assert!(found["detail"].as_str().unwrap().starts_with("b.json: invalid: "), "{found}");
+    repo.write("proofs/certificates/b.json", &sharp);
+    assert_eq!(
+        cell(&repo.json(&["7.2", "--tiers", "certificate"], 0), "certificate", "7.2")["result"],
+        "holds"
+    );
+}
+
+#[test]
+fn the_program_s_own_tiers_hold() {
+    let page: Value = serde_json::from_str(&stdout_of(&[
+        "verify",
+        "--tiers",
+        "simulated,grid,complete",
+        "--format",
+        "json",
+    ]))
+    .unwrap();
+    let tiers = page["tiers"].as_array().unwrap();
+    assert_eq!(tiers.len(), 3);
+    let kinds: Vec<_> = tiers.iter().map(|t| t["kind"].as_str().unwrap()).collect();
+    assert_eq!(kinds, ["sampled", "exhaustive on a grid", "complete for all starts"]);
+    let mut held = 0;
+    for tier in tiers {
+        for cell in tier["cells"].as_array().unwrap() {
+            assert_eq!(
+                (&cell["status"], &cell["result"]),
+                (&"run now".into(), &"holds".into()),
+                "{cell}"
+            );
+            held += 1;
+        }
+    }
+    assert_eq!(held, 3 * Theorem::ALL.len());
+}
+
+#[test]
+fn the_solver_at_hand_proves_every_theorem_that_has_a_step() {
+    if !has_tool("z3", "verify: SMT tier") {
+        return;
+    }
+    let text = stdout_of(&["verify", "--tiers", "smt"]);
+    let table: Vec<_> = text.lines().take(11).collect();
+    assert_eq!(table.iter().filter(|l| l.contains("holds")).count(), 9, "{text}");
+    assert!(table[10].trim().starts_with("7.8") && table[10].trim().ends_with('-'), "{text}");
+    assert!(text.contains("smt (inductive, for each N):"), "{text}");
+}
+
+// ---- formats
+
+/// A tier that says what it is told to.
+struct Told(&'static str, fn(Theorem) -> Evidence, Vec<Verdict>);
+
+impl Tier for Told {
+    fn name(&self) -> &'static str {
+        self.0
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Sampled
+    }
+
+    fn tool(&self) -> String {
+        "told 1".into()
+    }
+
+    fn sources(&self) -> &'static [&'static str] {
+        &["src"]
+    }
+
+    fn status(&self, theorem: Theorem) -> Evidence {
+        (self.1)(theorem)
+    }
+
+    fn problems(&self) -> Vec<Verdict> {
+        self.2.clone()
+    }
+}
+
+fn ran(verdict: Verdict) -> Evidence {
+    Evidence::Run { verdict, scope: "a <scope> & \"more\"".into(), seconds: 0.5 }
+}
+
+fn mixed(theorem: Theorem) -> Evidence {
+    match theorem {
+        Theorem::Ordering => ran(Verdict::Holds),
+        Theorem::UpperBound => ran(Verdict::Refuted("x < y".into())),
+        Theorem::SumBounded => ran(Verdict::Rejected("\u{1}bad".into())),
+        Theorem::SumMaximal => ran(Verdict::Inconclusive("unknown".into())),
+        Theorem::Limit => Evidence::NotClaimed("a limit".into()),
+        _ => Evidence::NotRun("no time".into()),
+    }
+}
+
+fn matrix_of(told: Vec<Told>) -> xtask::verify::matrix::Matrix {
+    let dir = tempfile::tempdir().unwrap();
+    let records = Records::read(dir.path()).unwrap();
+    let tiers: Vec<Box<dyn Tier>> = told.into_iter().map(|t| Box::new(t) as _).collect();
+    collect(dir.path(), &tiers, &records, &Theorem::ALL, |_| {})
+}
+
+#[test]
+fn the_worst_verdict_decides() {
+    let one =
+        |e: fn(Theorem) -> Evidence, problems| matrix_of(vec![Told("t", e, problems)]).outcome();
+    assert_eq!(one(|_| ran(Verdict::Holds), vec![]), Outcome::Holds);
+    assert_eq!(one(|_| ran(Verdict::Inconclusive("?".into())), vec![]), Outcome::Holds);
+    assert_eq!(one(|_| ran(Verdict::Refuted("!".into())), vec![]), Outcome::Refuted);
+    assert_eq!(one(|_| ran(Verdict::Rejected("!".into())), vec![]), Outcome::Rejected);
+    assert_eq!(one(|_| Evidence::NotRun("".into()), vec![]), Outcome::Inconclusive);
+    assert_eq!(one(|_| Evidence::NotClaimed("".into()), vec![]), Outcome::Inconclusive);
+    let rejected = || vec![Verdict::Rejected("!".into())];
+    assert_eq!(one(|_| ran(Verdict::Holds), rejected()), Outcome::Rejected);
+    assert_eq!(one(|_| ran(Verdict::Refuted("!".into())), rejected()), Outcome::Rejected);
+}
+
+#[test]
+fn junit_counts_what_failed_and_what_was_skipped() {
+    let problems = vec![Verdict::Rejected("file".into())];
+    let text = junit(&matrix_of(vec![Told("told", mixed, problems)]));
+    assert!(
+        text.contains(
+            "<testsuite name=\"told\" tests=\"11\" failures=\"3\" errors=\"0\" skipped=\"7\">"
+        ),
+        "{text}"
+    );
+    assert_eq!(text.matches("<testcase ").count(), 11);
+    assert_eq!(text.matches("<failure ").count(), 3);
+    assert_eq!(text.matches("<skipped ").count(), 7);
+    assert!(text.contains("name=\"7.2\" time=\"0.500\"></testcase>"));
+    assert!(text.contains("x &lt; y (a &lt;scope&gt; &amp; &quot;more&quot;)"));
+    assert!(text.contains("?bad"), "control characters are no XML");
+    assert_eq!(text.matches('<').count(), text.matches('>').count());
+}
+
+#[test]
+fn sarif_lists_what_to_look_at() {
+    let problems = vec![Verdict::Rejected("file".into())];
+    let page: Value =
+        serde_json::from_str(&sarif(&matrix_of(vec![Told("told", mixed, problems)]))).unwrap();
+    assert_eq!(page["version"], "2.1.0");
+    let run = &page["runs"][0];
+    let rules = run["tool"]["driver"]["rules"].as_array().unwrap();
+    let ids: Vec<_> = rules.iter().map(|r| r["id"].as_str().unwrap()).collect();
+    assert_eq!(ids.len(), Theorem::ALL.len() + 1);
+    let results = run["results"].as_array().unwrap();
+    let count = |level: &str| results.iter().filter(|r| r["level"] == level).count();
+    assert_eq!((count("error"), count("warning"), count("note")), (3, 1, 5));
+    for result in results {
+        assert!(ids.contains(&result["ruleId"].as_str().unwrap()), "every result has its rule");
+    }
+}
+
+#[test]
+fn json_has_every_cell() {
+    let page: Value =
+        serde_json::from_str(&json(&matrix_of(vec![Told("told", mixed, vec![])]))).unwrap();
+    assert_eq!(page["exit"], 4);
+    assert_eq!(page["tiers"][0]["cells"].as_array().unwrap().len(), Theorem::ALL.len());
+    assert_eq!(cell(&page, "told", "7.8")["status"], "not claimed");
+    assert_eq!(cell(&page, "told", "7.3")["detail"], "x < y (a <scope> & \"more\")");
+}
+
+#[test]
+fn the_names_are_those_of_the_tiers() {
+    let dir = tempfile::tempdir().unwrap();
+    let tiers = tiers(Context { root: dir.path(), run: &[] });
+    assert_eq!(tiers.iter().map(|t| t.name()).collect::<Vec<_>>(), NAMES);
+    // In a place with nothing in it every tier answers, and none panics.
+    let records = Records::read(dir.path()).unwrap();
+    let outside: Vec<_> = tiers.into_iter().filter(|t| t.name() != "smt").collect();
+    let matrix = collect(dir.path(), &outside, &records, &[Theorem::Ordering], |_| {});
+    let run = matrix.columns.iter().filter(|c| matches!(c.cells[0], Cell::Run { .. })).count();
+    assert_eq!(run, 3, "simulated, grid, complete");
+}
+
+// ---- bad input
+
+#[test]
+fn bad_input_is_named() {
+    let error = stderr_of(&["verify", "9.9"], 2);
+    assert!(error.starts_with("error: theorem: `9.9` is unknown: expected `all` or"), "{error}");
+    let error = stderr_of(&["verify", "--tiers", "coq"], 2);
+    assert_eq!(
+        error,
+        "error: --tiers: `coq` is no tier: expected `all` or some of simulated, grid, complete, \
+         kani, smt, certificate, rocq, lean\n"
+    );
+    let error = stderr_of(&["verify", "--run", "x"], 2);
+    assert!(error.starts_with("error: --run: `x` is no tier"), "{error}");
+    let error = stderr_of(&["verify", "--record", "all"], 2);
+    assert_eq!(error, "error: --record: `all`: expected one tier\n");
+    let error = stderr_of(&["verify", "--root", "no/such"], 2);
+    assert_eq!(error, "error: --root: `no/such`: expected a folder\n");
+    let repo = Repository::new();
+    for (text, said) in [
+        ("{", ":1:1: expected records: "),
+        ("{\"schema\": \"cordon-records/1\"}", ": expected records: missing field `records`"),
+        (
+            "{\"schema\": \"cordon-records/2\", \"records\": []}",
+            ": schema `cordon-records/2`: expected `cordon-records/1`",
+        ),
+        (
+            "{\"schema\": \"cordon-records/1\", \"records\": [], \"x\": 1}",
+            ": expected records: unknown field `x`",
+        ),
+    ] {
+        repo.write("proofs/records.json", text);
+        let error = repo.error(&["7.2", "--tiers", "rocq"]);
+        assert!(error.contains(said), "{text}: {error}");
+    }
+}

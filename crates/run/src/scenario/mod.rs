@@ -1,6 +1,6 @@
 //! What to run: a protocol, its parameters and a start.
 //!
-//! A scenario comes from a TOML file ([`file`]), from flags, or from a file with flags in its
+//! A scenario comes from a TOML file ([`mod@file`]), from flags, or from a file with flags in its
 //! place ([`Draft`]); [`Draft::finish`] is the one place that checks it.
 
 mod draft;

@@ -9,7 +9,13 @@ use crate::{DroneMap, Params, Scalar, State};
 /// The next position of drone `i` of `count` from its predecessor's position `a`, its own `b`
 /// and its successor's `c` (equation 10; Listing 4, `exec_cvg`).
 ///
-/// Drone 0 goes to `min` and drone `count - 1` to `max`, whatever `a`, `b` and `c` are.
+/// ```text
+/// exec_cvg(a, b, c, i) = min                               if i = 0
+///                      = max                               if i = N-1
+///                      = eps*a + (1 - 2*eps)*b + eps*c     otherwise
+/// ```
+///
+/// The end drones go to `min` and `max` whatever `a`, `b` and `c` are.
 #[cfg_attr(feature = "contracts", requires(count@ >= 1 && i@ < count@))]
 #[cfg_attr(feature = "contracts", ensures(i@ == 0 ==> result == p.min))]
 #[cfg_attr(feature = "contracts", ensures(i@ > 0 && i@ == count@ - 1 ==> result == p.max))]
@@ -19,6 +25,7 @@ pub fn exec_cvg<S: Scalar>(p: &Params<S>, count: usize, a: &S, b: &S, c: &S, i: 
     } else if i + 1 == count {
         p.max.clone()
     } else {
+        // eps*a + (1 - 2*eps)*b + eps*c
         let (eps, one, two) = (&p.eps, S::from_int(1), S::from_int(2));
         eps.clone() * a + &((one - &(two * eps)) * b) + &(eps.clone() * c)
     }

@@ -135,7 +135,7 @@ fn attempt(
 ) -> Ended {
     match task {
         Task::Exactness(theorem) => {
-            let name = format!("{}-exact", theorem.text().number);
+            let name = format!("{}-exact", theorem.number());
             match exactness::prove(*theorem, effort) {
                 Some(certificate) => judged(name, Outcome::Holds, "proved", certificate),
                 None => inconclusive(name, "no proof found"),

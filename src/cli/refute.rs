@@ -194,7 +194,7 @@ impl Args {
     }
 
     fn text(&self, query: &Query, answer: &Answer, out: &mut dyn Write) -> Result<()> {
-        let t = query.theorem.text();
+        let t = theorems::words(query.theorem);
         let hypothesis = query.theorem.hypothesis(query.form);
         let manner = match (self.activation, self.delay) {
             (true, _) => ", any subset of the drones skipping any step".to_owned(),
@@ -205,12 +205,12 @@ impl Args {
         writeln!(
             out,
             "{} {} ({label} form{manner}): starts {}",
-            t.number,
+            query.theorem.number(),
             t.name,
-            hypothesis.starts.text()
+            theorems::starts(hypothesis.starts)
         )?;
         match &answer.found {
-            Some(found) => refuted(found, hypothesis.weights.text(), out)?,
+            Some(found) => refuted(found, theorems::weights(hypothesis.weights), out)?,
             None => writeln!(out, "  not refuted: no counterexample was found")?,
         }
         for line in coverage_lines(&answer.covered, |extent| self.extent(query, extent)) {
@@ -313,7 +313,7 @@ fn coverage_lines(covered: &[Coverage], describe: impl Fn(Extent) -> String) -> 
 
 fn as_json(query: &Query, answer: &Answer) -> Value {
     json!({
-        "theorem": query.theorem.text().number,
+        "theorem": query.theorem.number(),
         "form": query.form.label(),
         "refuted": answer.found.is_some(),
         "counterexample": answer.found.as_ref().map(Counterexample::to_json),

@@ -6,7 +6,7 @@ use cordon_spec::theorems::{Form, Theorem};
 use serde_json::json;
 
 use super::select::OutputFormat;
-use cordon_core::theorems;
+use cordon_core::theorems::{self, starts, weights, words};
 use cordon_core::{Outcome, Result};
 
 /// Arguments of `cordon theorems`.
@@ -35,17 +35,12 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
 }
 
 fn text(theorem: Theorem, out: &mut dyn Write) -> Result<()> {
-    let t = theorem.text();
-    writeln!(out, "{} {}", t.number, t.name)?;
+    let t = words(theorem);
+    writeln!(out, "{} {}", theorem.number(), t.name)?;
     for form in Form::ALL {
-        let (s, label) = (theorem.statement(form), form.label());
-        writeln!(
-            out,
-            "  {label:<6} if   {}; {}",
-            s.hypothesis.weights.text(),
-            s.hypothesis.starts.text()
-        )?;
-        writeln!(out, "         then {}", s.conclusion)?;
+        let (h, label) = (theorem.hypothesis(form), form.label());
+        writeln!(out, "  {label:<6} if   {}; {}", weights(h.weights), starts(h.starts))?;
+        writeln!(out, "         then {}", t.conclusion(form))?;
     }
     if let Some(erratum) = t.erratum {
         writeln!(out, "  erratum     {erratum}")?;
@@ -55,17 +50,17 @@ fn text(theorem: Theorem, out: &mut dyn Write) -> Result<()> {
 }
 
 fn as_json(theorem: Theorem) -> serde_json::Value {
-    let t = theorem.text();
+    let t = words(theorem);
     let form = |f| {
-        let s = theorem.statement(f);
+        let h = theorem.hypothesis(f);
         json!({
-            "weights": s.hypothesis.weights.text(),
-            "starts": s.hypothesis.starts.text(),
-            "conclusion": s.conclusion,
+            "weights": weights(h.weights),
+            "starts": starts(h.starts),
+            "conclusion": t.conclusion(f),
         })
     };
     json!({
-        "number": t.number,
+        "number": theorem.number(),
         "name": t.name,
         "paper": form(Form::Paper),
         "sharp": form(Form::Sharp),

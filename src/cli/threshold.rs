@@ -121,14 +121,14 @@ fn certified(number: usize, drones: usize) -> String {
 }
 
 fn keep_text(args: &Args, found: &Critical, out: &mut dyn Write) -> Result<()> {
-    let (critical, theorem) = (fraction(&found.critical), found.cone.theorem().text());
+    let (critical, theorem) = (fraction(&found.critical), found.cone.theorem());
     let (what, coordinate) = match found.cone {
         Cone::PositiveGaps => ("strictly ordered", "gap"),
         Cone::NonnegativeErrors => ("not beyond its targets", "error"),
     };
     let [constant, slope] = &found.witness.coefficients;
     let (name, n) = (args.property.name(), args.drones);
-    writeln!(out, "{name} ({}), N = {n}: critical weight {critical} exactly", theorem.number)?;
+    writeln!(out, "{name} ({}), N = {n}: critical weight {critical} exactly", theorem.number())?;
     writeln!(
         out,
         "  below  for every eps in [0, {critical}] a start that is {what} stays so, at every step"

@@ -35,8 +35,16 @@ fn the_line_counts_in_trust_md_are_true() {
     }
     expected.push(format!("| `proofs/checker/src/` (whole) | {} |", total("proofs/checker/src")));
     let trust = fs::read_to_string("TRUST.md").unwrap();
-    let found: Vec<&str> =
-        trust.lines().filter(|l| l.starts_with("| `") && l.contains("/src/")).collect();
+    let counted = |l: &&str| l.starts_with("| `") && l.contains("/src/");
+    if std::env::var_os("CORDON_BLESS").is_some() {
+        let before = trust.lines().take_while(|l| !counted(l));
+        let after = trust.lines().skip_while(|l| !counted(l)).skip_while(counted);
+        let lines: Vec<&str> =
+            before.chain(expected.iter().map(String::as_str)).chain(after).collect();
+        fs::write("TRUST.md", lines.join("\n") + "\n").unwrap();
+        return;
+    }
+    let found: Vec<&str> = trust.lines().filter(counted).collect();
     assert!(found == expected, "TRUST.md should have\n{}", expected.join("\n"));
 }
 

@@ -77,7 +77,7 @@ fn conclusions_accept_and_reject_what_they_should() {
     assert_eq!(cases.len(), 56);
     for (theorem, form, eps, start, expected) in &cases {
         let found = verdict(*theorem, *form, eps, start);
-        assert_eq!(found, *expected, "{} {form:?} eps {eps} start {start}", theorem.text().number);
+        assert_eq!(found, *expected, "{} {form:?} eps {eps} start {start}", theorem.number());
     }
     // Nothing is accepted only, nothing rejected only. Three statements cannot be violated by
     // any run of the protocol (they hold for every weight and start); those are rejected on

@@ -63,7 +63,7 @@ fn check_rows(config: &Config, found: &[Finding], rows: &[Row]) {
     let got: Vec<_> = claims
         .iter()
         .map(|c| {
-            let (number, form) = (c.theorem.text().number, c.form.label());
+            let (number, form) = (c.theorem.number(), c.form.label());
             let n = c.counts;
             (number, form, c.items, c.vacuous, n.cases, n.non_vacuous, n.violations)
         })
@@ -117,7 +117,7 @@ fn grid(theorems: &[Theorem], rows: &[Row]) {
         assert_eq!(f.counts.cases, starts * (STEPS as u64 + 1), "{f:?}");
         assert_eq!(f.counts.undecided, 0, "{f:?}");
     }
-    let numbers: BTreeSet<_> = theorems.iter().map(|t| t.text().number.to_owned()).collect();
+    let numbers: BTreeSet<_> = theorems.iter().map(|t| t.number().to_owned()).collect();
     let expected: BTreeSet<_> =
         expected_refutations().into_iter().filter(|r| numbers.contains(&r.0)).collect();
     assert_eq!(refuted(&found), expected);

@@ -263,15 +263,16 @@ fn committed_certificates_prove_every_theorem_and_tampered_ones_none() {
     let page = stdout_of(&["verify", "--tiers", "certificate", "--format", "json"]);
     let page: Value = serde_json::from_str(&page).unwrap();
     for theorem in Theorem::ALL {
-        let found = cell(&page, "certificate", theorem.text().number);
+        let found = cell(&page, "certificate", theorem.number());
         assert_eq!(found["result"], "holds", "{found}");
         let detail = found["detail"].as_str().unwrap();
         assert!(detail.contains(" (sharp) for every N >= 3, "), "{detail}");
     }
     assert_eq!(page["tiers"][0]["problems"], serde_json::json!([]));
 
-    let read =
-        |name: &str| std::fs::read_to_string(common::root().join("proofs/certificates").join(name)).unwrap();
+    let read = |name: &str| {
+        std::fs::read_to_string(common::root().join("proofs/certificates").join(name)).unwrap()
+    };
     let repo = Repository::new();
     // The paper's form, or the sharp form of one N, is not the theorem.
     repo.write("proofs/certificates/a.json", &read("7.2-paper.json"));

@@ -61,7 +61,7 @@ pub fn refutation(found: &Counterexample) -> Value {
     };
     let start = found.start();
     let mut body = json!({
-        "theorem": found.theorem.text().number,
+        "theorem": found.theorem.number(),
         "form": found.form.label(),
         "min": start.first().map(fraction),
         "max": start.last().map(fraction),

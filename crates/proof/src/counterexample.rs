@@ -113,14 +113,14 @@ impl Counterexample {
             list(self.start()),
             fraction(&self.eps),
             self.run.len().saturating_sub(1),
-            self.theorem.text().number,
+            self.theorem.number(),
         )
     }
 
     /// For programs.
     pub fn to_json(&self) -> Value {
         json!({
-            "theorem": self.theorem.text().number,
+            "theorem": self.theorem.number(),
             "form": self.form.label(),
             "drones": self.start().len(),
             "eps": fraction(&self.eps),

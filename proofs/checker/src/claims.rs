@@ -110,7 +110,7 @@ impl Claim {
 
     /// Whether it is a theorem itself and so has forms.
     pub fn has_forms(&self) -> bool {
-        self.theorem.is_some_and(|t| t.text().number == self.name)
+        self.theorem.is_some_and(|t| t.number() == self.name)
     }
 
     /// The weights that are meant if none are named. 7.8 is proved up to 1/2 for every N; beyond,
@@ -523,4 +523,18 @@ fn consensus(scope: &Scope<'_>) -> Obligations {
             obligation(format!("flux/{label}"), Vec::new(), goal, Zero)
         })
         .collect())
+}
+
+/// A range of weights in formula.
+pub fn range(weights: WeightRange) -> &'static str {
+    match weights {
+        WeightRange::Any => "any eps",
+        WeightRange::Unit => "0 <= eps <= 1",
+        WeightRange::BelowThird => "0 <= eps < 1/3",
+        WeightRange::BelowHalf => "0 <= eps < 1/2",
+        WeightRange::UpToHalf => "0 <= eps <= 1/2",
+        WeightRange::UpToHalfOrOne => "0 <= eps <= 1/2 (N = 3: 0 <= eps <= 1)",
+        WeightRange::PositiveUpToHalf => "0 < eps <= 1/2",
+        WeightRange::BelowCritical => "0 < eps < 1/(1 + cos(pi/(N-1)))",
+    }
 }

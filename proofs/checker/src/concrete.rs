@@ -154,7 +154,7 @@ pub fn one_sign(rows: &Rows, alternating: bool) -> bool {
 
 /// The theorem of that number.
 pub fn theorem_named(number: &str) -> Option<Theorem> {
-    Theorem::ALL.into_iter().find(|t| t.text().number == number)
+    Theorem::ALL.into_iter().find(|t| t.number() == number)
 }
 
 /// The form of that name.

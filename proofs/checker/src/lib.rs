@@ -152,7 +152,7 @@ fn theorem(cert: &TheoremCert) -> Verdict {
         Some(_) => return invalid("the interval of weights is empty".into()),
     };
     let range = match &weights {
-        Weights::Range(range) => range.text().to_owned(),
+        Weights::Range(range) => claims::range(*range).to_owned(),
         Weights::Interval(from, to) => format!("{from} <= eps <= {to}"),
     };
     let drones = cert.drones.map_or("every N >= 3".to_owned(), |n| format!("N = {n}"));

@@ -174,7 +174,7 @@ fn invariance(body: &Value) -> bool {
 }
 
 fn refutation(body: &Value) -> bool {
-    let named = |t: &Theorem| body["theorem"] == t.text().number;
+    let named = |t: &Theorem| body["theorem"] == t.number();
     let theorem = *Theorem::ALL.iter().find(|t| named(t)).unwrap();
     let form = *Form::ALL.iter().find(|f| body["form"] == f.label()).unwrap();
     let (min, max, eps) = (q(&body["min"]), q(&body["max"]), q(&body["eps"]));

@@ -2,43 +2,9 @@
 
 use super::hypothesis::at_targets;
 use super::verdict::{Subject, Truth, Verdict, Violation, equal};
-use super::{Form, Hypothesis, Setting, StartSet, Statement, Text, WeightRange};
+use super::{Form, Setting};
 use crate::placement::sum;
 use crate::{Ordered, Scalar};
-
-const PAPER: Hypothesis =
-    Hypothesis { weights: WeightRange::BelowThird, starts: StartSet::FirstSubsegment };
-
-pub(super) const TARGETS_FIXED: Text = Text {
-    number: "7.6i",
-    name: "convergence: targets are fixed",
-    paper: Statement {
-        hypothesis: PAPER,
-        conclusion: "X_i^k = T_i for all i implies c^{k+h} = c^k for all h >= 1",
-    },
-    sharp: Statement {
-        hypothesis: Hypothesis { weights: WeightRange::Any, starts: StartSet::Any },
-        conclusion: "X_i^k = T_i for all i implies X_i^{k+h} = T_i for all i and h >= 1",
-    },
-    erratum: None,
-};
-
-pub(super) const CONSTANT_SUM: Text = Text {
-    number: "7.6ii",
-    name: "convergence: a constant sum means targets",
-    paper: Statement {
-        hypothesis: PAPER,
-        conclusion: "c^{k+h} = c^k for all h >= 1 implies X_i^k = T_i for all i",
-    },
-    sharp: Statement {
-        hypothesis: Hypothesis {
-            weights: WeightRange::PositiveUpToHalf,
-            starts: StartSet::UpperBounded,
-        },
-        conclusion: "c^{k+h} = c^k for h = 1 .. ceil((N-2)/2) implies X_i^k = T_i for all i",
-    },
-    erratum: Some("false at eps = 0, which definition 6 allows"),
-};
 
 /// How many steps beyond k both parts read.
 pub(super) fn span(form: Form, count: usize) -> usize {

@@ -44,20 +44,6 @@ pub enum WeightRange {
 }
 
 impl WeightRange {
-    /// The range in formula.
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::Any => "any eps",
-            Self::Unit => "0 <= eps <= 1",
-            Self::BelowThird => "0 <= eps < 1/3",
-            Self::BelowHalf => "0 <= eps < 1/2",
-            Self::UpToHalf => "0 <= eps <= 1/2",
-            Self::UpToHalfOrOne => "0 <= eps <= 1/2 (N = 3: 0 <= eps <= 1)",
-            Self::PositiveUpToHalf => "0 < eps <= 1/2",
-            Self::BelowCritical => "0 < eps < 1/(1 + cos(pi/(N-1)))",
-        }
-    }
-
     /// Whether the weight `num/den` (`den > 0`) is in the range for `count >= 3` drones.
     ///
     /// [`Self::BelowCritical`] multiplies N-2 times by numbers of the size of `den`: scalars
@@ -115,16 +101,6 @@ pub enum StartSet {
 }
 
 impl StartSet {
-    /// The set in formula.
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::Any => "any start",
-            Self::Ordered => "X_0 < X_1 < ... < X_{N-1}",
-            Self::FirstSubsegment => "X_0 < X_1 < ... < X_{N-1}, X_i < min + l for internal i",
-            Self::UpperBounded => "X_i <= T_i for all i",
-        }
-    }
-
     /// Whether the start is in the set. It has one position a drone, N >= 3.
     pub fn contains<S: Ordered>(self, setting: &Setting<S>, start: &[S]) -> Truth {
         let anchored = match start {

@@ -5,29 +5,9 @@ use core::cmp::Ordering;
 use super::fixed_point::stays;
 use super::hypothesis::at_target;
 use super::verdict::{Subject, Truth, Verdict, equal, less};
-use super::{Form, Hypothesis, Setting, StartSet, Statement, Text, WeightRange};
+use super::{Form, Setting};
 use crate::Ordered;
 use crate::placement::{scaled_error, sum};
-
-pub(super) const TEXT: Text = Text {
-    number: "7.7",
-    name: "globally increasing",
-    paper: Statement {
-        hypothesis: Hypothesis { weights: WeightRange::Unit, starts: StartSet::UpperBounded },
-        conclusion: "c^{k+1} = c^k, X_j^k < T_j for some j >= 3 and X_i^k = T_i for all i < j imply c^{k+h+1} > c^{k+h} for some h >= 1",
-    },
-    sharp: Statement {
-        hypothesis: Hypothesis {
-            weights: WeightRange::PositiveUpToHalf,
-            starts: StartSet::UpperBounded,
-        },
-        conclusion: "if some drone is off its target at step k, the first increase is c^{k+h+1} > c^{k+h} with h = min over off-target j of min(j, N-1-j) - 1, and c is constant before",
-    },
-    erratum: Some(
-        "false at eps = 0; free index i; j >= 3 should be j >= 1, h > 1 in the text is h >= 1 in the formula; \
-         under assumption 3 no drone is ever exactly at its target, so the printed premise is read on UB starts",
-    ),
-};
 
 /// The smallest j at which the printed premise allows the first off-target drone.
 const PRINTED_FIRST_OFF_TARGET: usize = 3;

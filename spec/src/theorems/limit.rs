@@ -11,26 +11,9 @@ use core::cmp::Ordering;
 
 use super::hypothesis::at_targets;
 use super::verdict::{Subject, Truth, Verdict, Violation, at_most, less};
-use super::{Form, Hypothesis, Setting, StartSet, Statement, Text, WeightRange};
+use super::{Form, Setting, WeightRange};
 use crate::Ordered;
 use crate::placement::{contraction_weight, scaled_energy, scaled_error};
-
-pub(super) const TEXT: Text = Text {
-    number: "7.8",
-    name: "limit",
-    paper: Statement {
-        hypothesis: Hypothesis { weights: WeightRange::Unit, starts: StartSet::FirstSubsegment },
-        conclusion: "X_i^k -> T_i for all i (in finite form: the sum of squared errors falls in every step off the targets)",
-    },
-    sharp: Statement {
-        hypothesis: Hypothesis { weights: WeightRange::BelowCritical, starts: StartSet::Any },
-        conclusion: "X_i^k -> T_i for all i, and from every start only for these eps; for eps <= 1/2 at the rate |e_i^k| <= (1 - 8 eps/(N-1)^2)^k * max_j(|e_j^0|/w_j) * w_i, w_i = i(N-1-i)",
-    },
-    erratum: Some(
-        "no bound on eps is printed: false at eps = 0 and from 1/(1 + cos(pi/(N-1))) on; \
-         the approach need not be monotonic: (0,10,11,24,100) with eps = 1/5 takes drone 1 from 10 to 8.2",
-    ),
-};
 
 pub(super) fn conclusion<S: Ordered, M: AsRef<[S]>>(
     form: Form,

@@ -98,30 +98,6 @@ pub enum Theorem {
     Limit,
 }
 
-/// One form of a theorem: hypothesis as data, conclusion in words.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Statement {
-    /// Which weights and starts the statement is about.
-    pub hypothesis: Hypothesis,
-    /// What it says of them.
-    pub conclusion: &'static str,
-}
-
-/// A theorem in words.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Text {
-    /// The paper's number, with the part: `7.4i`.
-    pub number: &'static str,
-    /// The paper's name of the theorem, with the part in a word.
-    pub name: &'static str,
-    /// As printed.
-    pub paper: Statement,
-    /// Under the weakest known hypothesis.
-    pub sharp: Statement,
-    /// What is wrong with, or missing from, the printed form.
-    pub erratum: Option<&'static str>,
-}
-
 impl Theorem {
     /// Every theorem, in the paper's order.
     pub const ALL: [Self; 10] = [
@@ -137,33 +113,50 @@ impl Theorem {
         Self::Limit,
     ];
 
-    /// Number, name, both statements and the erratum.
-    pub fn text(self) -> &'static Text {
+    /// The paper's number, with the part: `7.4i`.
+    pub fn number(self) -> &'static str {
         match self {
-            Self::Ordering => &ordering::TEXT,
-            Self::UpperBound => &upper_bound::TEXT,
-            Self::SumBounded => &sum::BOUNDED,
-            Self::SumMaximal => &sum::MAXIMAL,
-            Self::SumNonDecreasing => &non_decreasing::TEXT,
-            Self::SumStationary => &non_decreasing::STATIONARY,
-            Self::TargetsFixed => &fixed_point::TARGETS_FIXED,
-            Self::ConstantSum => &fixed_point::CONSTANT_SUM,
-            Self::GloballyIncreasing => &increasing::TEXT,
-            Self::Limit => &limit::TEXT,
+            Self::Ordering => "7.2",
+            Self::UpperBound => "7.3",
+            Self::SumBounded => "7.4i",
+            Self::SumMaximal => "7.4ii",
+            Self::SumNonDecreasing => "7.5i",
+            Self::SumStationary => "7.5ii",
+            Self::TargetsFixed => "7.6i",
+            Self::ConstantSum => "7.6ii",
+            Self::GloballyIncreasing => "7.7",
+            Self::Limit => "7.8",
         }
     }
 
-    /// The statement in the given form.
-    pub fn statement(self, form: Form) -> &'static Statement {
-        match form {
-            Form::Paper => &self.text().paper,
-            Form::Sharp => &self.text().sharp,
-        }
-    }
-
-    /// The hypothesis in the given form.
+    /// Which weights and starts the theorem is about, in the given form.
     pub fn hypothesis(self, form: Form) -> Hypothesis {
-        self.statement(form).hypothesis
+        use StartSet::{Any, FirstSubsegment, Ordered, UpperBounded};
+        use WeightRange as W;
+        let (weights, starts) = match (form, self) {
+            (Form::Paper, Self::Ordering) => (W::BelowThird, Ordered),
+            (
+                Form::Paper,
+                Self::UpperBound | Self::SumBounded | Self::SumMaximal | Self::SumNonDecreasing,
+            ) => (W::BelowHalf, FirstSubsegment),
+            (Form::Paper, Self::TargetsFixed | Self::ConstantSum) => {
+                (W::BelowThird, FirstSubsegment)
+            }
+            (Form::Paper, Self::SumStationary | Self::Limit) => (W::Unit, FirstSubsegment),
+            // Under assumption 3 the printed premise is never met.
+            (Form::Paper, Self::GloballyIncreasing) => (W::Unit, UpperBounded),
+            (Form::Sharp, Self::Ordering) => (W::UpToHalfOrOne, Ordered),
+            (
+                Form::Sharp,
+                Self::UpperBound | Self::SumBounded | Self::SumMaximal | Self::SumNonDecreasing,
+            ) => (W::UpToHalf, UpperBounded),
+            (Form::Sharp, Self::SumStationary | Self::TargetsFixed) => (W::Any, Any),
+            (Form::Sharp, Self::ConstantSum | Self::GloballyIncreasing) => {
+                (W::PositiveUpToHalf, UpperBounded)
+            }
+            (Form::Sharp, Self::Limit) => (W::BelowCritical, Any),
+        };
+        Hypothesis { weights, starts }
     }
 
     /// How many placements beyond X^k the conclusion about step k reads, for `count` drones.
@@ -206,11 +199,5 @@ impl Theorem {
             Self::GloballyIncreasing => increasing::conclusion(form, setting, now, later),
             Self::Limit => limit::conclusion(form, setting, now, later),
         }
-    }
-
-    /// The largest power of the positions' size that the conclusion computes: 1, or 2 where it
-    /// squares errors. What a caller with a limited range of integers has to allow for.
-    pub fn degree(self) -> u32 {
-        if self == Self::Limit { 2 } else { 1 }
     }
 }

@@ -4,42 +4,11 @@
 #[allow(unused_imports)] // the erased macros swallow each other's attributes
 use creusot_contracts::prelude::{ensures, requires};
 
+use super::Setting;
 use super::hypothesis::at_targets;
 use super::verdict::{Subject, Verdict, at_most, equal};
-use super::{Hypothesis, Setting, StartSet, Statement, Text, WeightRange};
 use crate::placement::{gap, sum};
 use crate::{Ordered, Scalar};
-
-pub(super) const TEXT: Text = Text {
-    number: "7.5i",
-    name: "non-decreasing sum",
-    paper: Statement {
-        hypothesis: Hypothesis {
-            weights: WeightRange::BelowHalf,
-            starts: StartSet::FirstSubsegment,
-        },
-        conclusion: "c^{k+1} >= c^k for all k",
-    },
-    sharp: Statement {
-        hypothesis: Hypothesis { weights: WeightRange::UpToHalf, starts: StartSet::UpperBounded },
-        conclusion: "c^{k+1} - c^k = eps*(g_{N-2}^k - g_0^k) for every eps and start, and under this hypothesis it is >= 0",
-    },
-    erratum: None,
-};
-
-pub(super) const STATIONARY: Text = Text {
-    number: "7.5ii",
-    name: "stationary sum at the targets",
-    paper: Statement {
-        hypothesis: Hypothesis { weights: WeightRange::Unit, starts: StartSet::FirstSubsegment },
-        conclusion: "X_i^k = T_i for all i implies c^{k+1} = c^k",
-    },
-    sharp: Statement {
-        hypothesis: Hypothesis { weights: WeightRange::Any, starts: StartSet::Any },
-        conclusion: "X_i^k = T_i for all i implies c^{k+1} = c^k",
-    },
-    erratum: None,
-};
 
 /// c^{k+1} >= c^k.
 pub(super) fn conclusion<S: Ordered, M: AsRef<[S]>>(now: &[S], later: &[M]) -> Verdict {

@@ -2,38 +2,11 @@
 
 use core::cmp::Ordering;
 
+use super::Setting;
 use super::hypothesis::at_targets;
 use super::verdict::{Subject, Truth, Verdict, at_most};
-use super::{Hypothesis, Setting, StartSet, Statement, Text, WeightRange};
 use crate::placement::sum;
 use crate::{Ordered, Scalar};
-
-const PAPER: Hypothesis =
-    Hypothesis { weights: WeightRange::BelowHalf, starts: StartSet::FirstSubsegment };
-const SHARP: Hypothesis =
-    Hypothesis { weights: WeightRange::UpToHalf, starts: StartSet::UpperBounded };
-
-pub(super) const BOUNDED: Text = Text {
-    number: "7.4i",
-    name: "sum of positions: bound",
-    paper: Statement { hypothesis: PAPER, conclusion: "c^k <= N*min + N(N-1)/2 * l for all k" },
-    sharp: Statement { hypothesis: SHARP, conclusion: "c^k <= N*min + N(N-1)/2 * l for all k" },
-    erratum: None,
-};
-
-pub(super) const MAXIMAL: Text = Text {
-    number: "7.4ii",
-    name: "sum of positions: equality",
-    paper: Statement {
-        hypothesis: PAPER,
-        conclusion: "c^k = N*min + N(N-1)/2 * l if and only if X_i^k = T_i for all i",
-    },
-    sharp: Statement {
-        hypothesis: SHARP,
-        conclusion: "c^k = N*min + N(N-1)/2 * l if and only if X_i^k = T_i for all i",
-    },
-    erratum: None,
-};
 
 /// Twice the sum, and twice its bound: 2*(N*min + N(N-1)/2 * l) = N*(min + max).
 fn doubled<S: Scalar>(setting: &Setting<S>, x: &[S]) -> (S, S) {

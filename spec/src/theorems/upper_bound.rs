@@ -1,29 +1,10 @@
 //! Theorem 7.3: the target of each drone is an upper bound of its position. Its companions
 //! (the mirror image and the box) are here too.
 
+use super::Setting;
 use super::verdict::{Subject, Truth, Verdict, Violation, at_most};
-use super::{Hypothesis, Setting, StartSet, Statement, Text, WeightRange};
 use crate::Ordered;
 use crate::placement::scaled_error;
-
-pub(super) const TEXT: Text = Text {
-    number: "7.3",
-    name: "reference position upper bound",
-    paper: Statement {
-        hypothesis: Hypothesis {
-            weights: WeightRange::BelowHalf,
-            starts: StartSet::FirstSubsegment,
-        },
-        conclusion: "X_i^k <= T_i for all i and k",
-    },
-    sharp: Statement {
-        hypothesis: Hypothesis { weights: WeightRange::UpToHalf, starts: StartSet::UpperBounded },
-        conclusion: "X_i^k <= T_i for all i and k; for any eps > 1/2 some such start violates it at step 1",
-    },
-    erratum: Some(
-        "assumption 3 is not needed, X_i^0 <= T_i is enough; the paper's own start (0,10,20,30,100) violates it (30 >= 25)",
-    ),
-};
 
 /// X_i <= T_i for all i.
 pub(super) fn conclusion<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Verdict {

@@ -66,7 +66,7 @@ fn text(
     ]);
     for c in claims {
         table.add_row([
-            c.theorem.text().number.to_owned(),
+            c.theorem.number().to_owned(),
             c.form.label().to_owned(),
             c.verdict.text().to_owned(),
             c.items.to_string(),
@@ -92,7 +92,7 @@ fn text(
 
 /// What the table has no room for: the counterexample, or why nothing was decided.
 fn about(claim: &Claim, out: &mut dyn Write) -> Result<()> {
-    let name = format!("{} ({} form)", claim.theorem.text().number, claim.form.label());
+    let name = format!("{} ({} form)", claim.theorem.number(), claim.form.label());
     if let Some(c) = &claim.counterexample {
         writeln!(out)?;
         writeln!(

@@ -95,7 +95,7 @@ fn judge(path: &Path) -> Result<Judged, String> {
 /// Whether a claim is about the theorem: `7.3`, `7.3-mirror`, and `7.5-identity` of 7.5i.
 fn is_about(claim: &str, theorem: Theorem) -> bool {
     let (number, extension) = claim.split_once('-').unwrap_or((claim, ""));
-    let of_theorem = theorem.text().number;
+    let of_theorem = theorem.number();
     number == of_theorem
         || (extension == "identity" && of_theorem.strip_suffix('i') == Some(number))
 }
@@ -124,10 +124,10 @@ impl Tier for Certificates {
         };
         let mine: Vec<_> = judged.iter().filter(|j| is_about(&j.claim, theorem)).collect();
         if mine.is_empty() {
-            return Evidence::NotRun(format!("no certificate about {}", theorem.text().number));
+            return Evidence::NotRun(format!("no certificate about {}", theorem.number()));
         }
         // The theorem itself has to be among the accepted; extensions alone prove it not.
-        let itself = mine.iter().find(|j| j.whole && j.claim == theorem.text().number);
+        let itself = mine.iter().find(|j| j.whole && j.claim == theorem.number());
         let worst = mine.iter().map(|j| &j.verdict).max_by_key(|v| v.outcome().code());
         let verdict = match (worst, itself) {
             (Some(worst), _) if *worst != Verdict::Holds => worst.clone(),

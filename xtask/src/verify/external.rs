@@ -135,7 +135,7 @@ impl Row {
 
     /// Whether the row is about the theorem or, as `7.4`, about all its parts.
     fn is_about(&self, theorem: Theorem) -> bool {
-        let number = theorem.text().number;
+        let number = theorem.number();
         self.number == number || self.number == number.trim_end_matches('i')
     }
 }

@@ -165,7 +165,7 @@ fn cell(root: &Path, tier: &dyn Tier, records: &Records, theorem: Theorem) -> Ce
     let Some(record) = records.of(tier.name()) else {
         return Cell::NotRun(why);
     };
-    let Some(entry) = record.theorems.iter().find(|e| e.number == theorem.text().number) else {
+    let Some(entry) = record.theorems.iter().find(|e| e.number == theorem.number()) else {
         return Cell::NotRun(why);
     };
     let origin = Origin {

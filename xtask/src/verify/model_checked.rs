@@ -75,7 +75,7 @@ impl Tier for ModelChecked {
         if !self.root.join("kani").is_dir() {
             return Evidence::NotRun("no `kani` here".to_owned());
         }
-        let number = theorem.text().number;
+        let number = theorem.number();
         if !cordon_kani::all().any(|h| h.subject == number) {
             return Evidence::NotClaimed(format!("no harness is about {number}"));
         }
@@ -101,7 +101,7 @@ impl Tier for ModelChecked {
 
     fn problems(&self) -> Vec<Verdict> {
         let Some(Ok(report)) = self.ran.get() else { return Vec::new() };
-        let theorems = Theorem::ALL.map(|t| t.text().number);
+        let theorems = Theorem::ALL.map(|t| t.number());
         let others = report.harnesses.iter().filter(|c| !theorems.contains(&c.harness.subject));
         let unexpected = report
             .unexpected

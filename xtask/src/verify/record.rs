@@ -158,5 +158,5 @@ fn entry(theorem: Theorem, verdict: Verdict, scope: String, seconds: f64) -> Ent
         Verdict::Inconclusive(why) => (Found::Inconclusive, why),
     };
     let seconds = (seconds * 10.0).round() / 10.0;
-    Entry { number: theorem.text().number.to_owned(), result, scope, seconds }
+    Entry { number: theorem.number().to_owned(), result, scope, seconds }
 }

@@ -126,7 +126,7 @@ fn weight_zero() -> Finding {
         .filter(|&t| {
             matches!(verdict(t, Form::Paper, Rational::zero(), start()), Verdict::Violated(_))
         })
-        .map(|t| t.text().number)
+        .map(|t| t.number())
         .collect();
     finding(
         allowed && fails.len() == 3,

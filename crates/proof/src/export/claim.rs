@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use cordon_core::theorems::{starts, words};
 use cordon_spec::Ordered;
 use cordon_spec::theorems::{
     Form, Setting, StartSet, Theorem, Truth, Verdict, WeightRange, above_targets, in_box,
@@ -40,7 +41,7 @@ impl Claim {
     /// The paper's number, or `mirror`, `box`.
     pub fn number(self) -> &'static str {
         match self {
-            Self::Theorem(t) => t.text().number,
+            Self::Theorem(t) => t.number(),
             Self::Mirror => "mirror",
             Self::Box => "box",
         }
@@ -49,7 +50,7 @@ impl Claim {
     /// What it says, in formula.
     pub fn conclusion_text(self, form: Form) -> &'static str {
         match self {
-            Self::Theorem(t) => t.statement(form).conclusion,
+            Self::Theorem(t) => words(t).conclusion(form),
             Self::Mirror => "X_i^k >= T_i for all i and k",
             Self::Box => "min <= X_i^k <= max for all i and k",
         }
@@ -96,7 +97,7 @@ impl Claim {
     /// The starts of its hypothesis, in words.
     pub fn starts_text(self, form: Form) -> &'static str {
         match self {
-            Self::Theorem(t) => t.hypothesis(form).starts.text(),
+            Self::Theorem(t) => starts(t.hypothesis(form).starts),
             Self::Mirror => "X_i >= T_i for all i",
             Self::Box => "min <= X_i <= max for all i",
         }

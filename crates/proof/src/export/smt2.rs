@@ -14,6 +14,7 @@
 use std::fmt::Write as _;
 use std::rc::Rc;
 
+use cordon_core::theorems;
 use cordon_spec::coverage::exec_coverage;
 use cordon_spec::theorems::{Form, Setting, Theorem, Truth, Verdict, WeightRange};
 use cordon_spec::{Params, State};
@@ -298,14 +299,18 @@ impl<'q> Writer<'q> {
             Weights::OfHypothesis => {
                 let hypothesis = claim.weights(self.query.form);
                 let diagram = self.is(|w| range(w, hypothesis));
-                self.assert(&format!("weights: {}", hypothesis.text()), "w", &diagram);
+                self.assert(&format!("weights: {}", theorems::weights(hypothesis)), "w", &diagram);
             }
             Weights::Beyond => {
                 let unit = self.is(|w| range(w, WeightRange::Unit));
-                self.assert(&format!("weights: {}", WeightRange::Unit.text()), "u", &unit);
+                self.assert(
+                    &format!("weights: {}", theorems::weights(WeightRange::Unit)),
+                    "u",
+                    &unit,
+                );
                 let sharp = claim.weights(Form::Sharp);
                 let beyond = self.not(|w| range(w, sharp));
-                self.assert(&format!("but not: {}", sharp.text()), "w", &beyond);
+                self.assert(&format!("but not: {}", theorems::weights(sharp)), "w", &beyond);
             }
             Weights::Interval(i) => {
                 let relation = |closed| if closed { "<=" } else { "<" };

@@ -57,7 +57,7 @@ impl Claim {
     /// Every claim: the theorems, then their extensions.
     pub fn all() -> Vec<Self> {
         let theorem =
-            |t: Theorem| Self { name: t.text().number, theorem: Some(t), kind: Kind::Theorem(t) };
+            |t: Theorem| Self { name: t.number(), theorem: Some(t), kind: Kind::Theorem(t) };
         Theorem::ALL.into_iter().map(theorem).chain(EXTENSIONS).collect()
     }
 

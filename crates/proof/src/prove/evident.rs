@@ -51,7 +51,7 @@ pub fn refute(theorem: Theorem, scope: &Scope) -> Option<Value> {
                     if let Some((at, subject)) = found {
                         let numbers: Vec<String> = start.iter().map(Rational::to_string).collect();
                         let mut body = json!({
-                            "theorem": theorem.text().number,
+                            "theorem": theorem.number(),
                             "form": scope.form.label(),
                             "min": "0",
                             "max": params.max.to_string(),

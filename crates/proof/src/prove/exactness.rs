@@ -129,7 +129,7 @@ pub fn prove(theorem: Theorem, effort: Effort) -> Option<Value> {
     Some(sealed(
         "exactness",
         json!({
-            "theorem": theorem.text().number,
+            "theorem": theorem.number(),
             "drones_from": start.drones_from,
             "above": "1/2",
             "min": [],

@@ -26,7 +26,7 @@ const MOST_PLACEMENTS: usize = 3_000;
 /// # Errors
 /// The theorem reads more than one placement, or there are more than [`MOST`] drones.
 pub fn search(query: &Query) -> Result<Answer> {
-    let number = query.theorem.text().number;
+    let number = query.theorem.number();
     if !single_placement(query.theorem, query.form) {
         return Err(Error::input(format!(
             "theorem: `{number}` with skipped updates: expected 7.2, 7.3 or 7.4i"

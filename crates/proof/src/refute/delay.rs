@@ -34,7 +34,7 @@ pub fn search(query: &Query, longest: usize) -> Result<Answer> {
     if !single_placement(query.theorem, query.form) {
         return Err(Error::input(format!(
             "theorem: `{}` with stale messages: expected 7.2, 7.3 or 7.4i",
-            query.theorem.text().number
+            query.theorem.number()
         )));
     }
     let mut covered = Vec::new();

@@ -85,7 +85,7 @@ impl Config {
     ) -> Self {
         Self {
             version: env!("CARGO_PKG_VERSION").into(),
-            theorems: theorems.iter().map(|t| t.text().number.into()).collect(),
+            theorems: theorems.iter().map(|t| t.number().into()).collect(),
             forms: forms.iter().map(|f| f.label().into()).collect(),
             drones,
             weights,
@@ -166,7 +166,7 @@ impl Config {
 pub fn theorem_of(number: &str) -> Result<Theorem> {
     Theorem::ALL
         .into_iter()
-        .find(|t| t.text().number == number)
+        .find(|t| t.number() == number)
         .ok_or_else(|| Error::input(format!("theorem: `{number}` is unknown")))
 }
 

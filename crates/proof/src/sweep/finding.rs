@@ -173,7 +173,7 @@ impl Finding {
     pub fn new(item: &Item, evidence: Evidence, counts: Counts) -> Self {
         Self {
             item: item.number,
-            theorem: item.theorem.text().number.into(),
+            theorem: item.theorem.number().into(),
             form: item.form.label().into(),
             drones: item.drones,
             eps: item.eps.to_string(),

@@ -88,7 +88,7 @@ fn place<'p>(
 fn described(item: &Item) -> String {
     format!(
         " ({} {}, N = {}, eps = {})",
-        item.theorem.text().number,
+        item.theorem.number(),
         item.form.label(),
         item.drones,
         item.eps

@@ -1,5 +1,6 @@
 //! The simplest counterexample of a sweep, and the command that replays it.
 
+use super::range::degree;
 use cordon_spec::theorems::{Form, Theorem};
 
 use super::config::{Item, form_of, theorem_of};
@@ -76,7 +77,7 @@ impl Minimal {
         let Some(longest) = self.start.last().and_then(|x| x.parse::<i64>().ok()) else {
             return self;
         };
-        let most = match self.theorem.degree() {
+        let most = match degree(self.theorem) {
             1 => MOST_UPDATES,
             _ => MOST_UPDATES_OF_SQUARES,
         };
@@ -113,7 +114,7 @@ impl Minimal {
             self.start.join(","),
             self.eps,
             self.step,
-            self.theorem.text().number,
+            self.theorem.number(),
             self.form.label()
         )
     }

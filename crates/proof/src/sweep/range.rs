@@ -11,7 +11,7 @@
 //!
 //! * (N-1) T_i is at most 3(N-1) V, errors times N-1 at most 4(N-1) V, doubled sums at most
 //!   2N V: all within 4N V.
-//! * 7.8 squares errors (`Theorem::degree` is 2): N squares of at most (4(N-1) V)^2, within
+//! * 7.8 squares errors ([`degree`] is 2): N squares of at most (4(N-1) V)^2, within
 //!   16 N^3 V^2; its rate multiplies an error by (N-1)^2 den + 8|num| and by a contraction
 //!   weight of at most N^2: within 4N V * N^2 * (N^2 den + 8|num|).
 //!
@@ -25,6 +25,12 @@ use super::machine::Machine;
 use cordon_core::Rational;
 use cordon_core::stencil::{Role, Stencil};
 use cordon_spec::theorems::{Form, Theorem};
+
+/// The largest power of the positions' size that the conclusion of a theorem computes: 1, or 2
+/// where it squares errors.
+pub(super) fn degree(theorem: Theorem) -> u32 {
+    if theorem == Theorem::Limit { 2 } else { 1 }
+}
 
 /// What bounds the numbers of one work item.
 #[derive(Clone, Debug)]
@@ -54,7 +60,7 @@ impl Range {
             .into_iter()
             .fold(BigUint::zero(), BigUint::max);
         Self {
-            degree: theorem.degree(),
+            degree: degree(theorem),
             count: count.into(),
             eps: (eps.numer().magnitude().clone(), eps.denom().magnitude().clone()),
             growth,

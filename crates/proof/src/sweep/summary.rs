@@ -1,5 +1,6 @@
 //! Findings put together: one claim for each theorem and form.
 
+use cordon_core::theorems::words;
 use cordon_spec::theorems::{Form, Theorem};
 use serde_json::{Value, json};
 
@@ -97,9 +98,9 @@ impl Claim {
     /// The claim for programs.
     pub fn json(&self) -> Value {
         json!({
-            "theorem": self.theorem.text().number,
+            "theorem": self.theorem.number(),
             "form": self.form.label(),
-            "conclusion": self.theorem.statement(self.form).conclusion,
+            "conclusion": words(self.theorem).conclusion(self.form),
             "verdict": self.verdict,
             "evidence": self.evidence,
             "items": self.items,

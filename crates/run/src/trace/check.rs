@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, VecDeque};
 
+use cordon_core::theorems;
 use cordon_spec::State;
 use cordon_spec::placement::{scaled_energy, scaled_target, sum};
 use cordon_spec::theorems::{Form, Setting, Subject, Theorem, Truth, Verdict, Violation};
@@ -120,9 +121,9 @@ fn require_start(
     Err(Error::input(format!(
         "start: `{}{dots}`: theorem {} in its {} form is about starts with {}",
         shown.join(", "),
-        theorem.text().number,
+        theorem.number(),
         form.label(),
-        starts.text()
+        theorems::starts(starts)
     )))
 }
 
@@ -135,7 +136,7 @@ fn explain(
     violation: Violation,
 ) -> String {
     let Some(x) = run.get(violation.step) else {
-        return theorem.text().name.to_owned();
+        return theorems::words(theorem).name.to_owned();
     };
     let at = step + violation.step as u64;
     let position = |i: usize| x.get(i).map_or_else(String::new, ToString::to_string);

@@ -64,7 +64,7 @@ fn row(trace: &Trace<'_>, r: &Row, digits: usize) -> Value {
 fn checked(c: &Checked) -> Value {
     let steps = |wanted: fn(&Verdict) -> bool| c.verdicts.values().filter(|v| wanted(v)).count();
     json!({
-        "theorem": c.theorem.text().number,
+        "theorem": c.theorem.number(),
         "form": c.form.label(),
         "weight_in_range": c.weight_in_range,
         "evidence": "this run only",

@@ -3,6 +3,7 @@
 use std::io::Write;
 
 use comfy_table::{CellAlignment, Table, presets};
+use cordon_core::theorems;
 use cordon_spec::Phase;
 use cordon_spec::theorems::Verdict;
 
@@ -36,7 +37,7 @@ pub fn table(
         head.push("t [s]".to_owned());
     }
     head.extend((0..trace.scenario.count()).map(|i| format!("x{i}")));
-    head.extend(checks.iter().map(|c| c.theorem.text().number.to_owned()));
+    head.extend(checks.iter().map(|c| c.theorem.number().to_owned()));
     table.set_header(head);
     for row in &trace.rows {
         let mut cells = vec![row.step.to_string()];
@@ -91,13 +92,13 @@ fn mark(verdict: Option<&Verdict>) -> &'static str {
 }
 
 fn summary(c: &Checked, out: &mut dyn Write) -> Result<()> {
-    let (number, form) = (c.theorem.text().number, c.form.label());
+    let (number, form) = (c.theorem.number(), c.form.label());
     let steps = c.verdicts.len();
     match &c.first_violation {
         Some((_, what)) => {
             writeln!(out, "{number} ({form} form) fails {what}")?;
             if !c.weight_in_range {
-                let range = c.theorem.hypothesis(c.form).weights.text();
+                let range = theorems::weights(c.theorem.hypothesis(c.form).weights);
                 writeln!(out, "  (no contradiction: the theorem is about {range})")?;
             }
         }

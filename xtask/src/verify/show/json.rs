@@ -20,7 +20,7 @@ pub fn json(matrix: &Matrix) -> String {
                         .origin()
                         .map(|o| value!({ "date": o.date, "tool": o.tool, "sources": o.sources }));
                     value!({
-                        "theorem": theorem.text().number,
+                        "theorem": theorem.number(),
                         "form": "sharp",
                         "status": cell.status(),
                         "result": cell.result(),

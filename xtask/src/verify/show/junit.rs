@@ -40,7 +40,7 @@ fn suite(column: &Column, matrix: &Matrix, text: &mut String) {
     );
     for (theorem, cell) in matrix.theorems.iter().zip(&column.cells) {
         let seconds = cell.seconds().unwrap_or(0.0);
-        let number = theorem.text().number;
+        let number = theorem.number();
         let _ = write!(
             text,
             "    <testcase classname=\"{name}\" name=\"{number}\" time=\"{seconds:.3}\">"

@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 
 use super::described;
 use crate::verify::matrix::{Cell, Matrix};
+use cordon_core::theorems;
 
 /// The matrix as SARIF.
 pub fn sarif(matrix: &Matrix) -> String {
@@ -12,11 +13,11 @@ pub fn sarif(matrix: &Matrix) -> String {
         .theorems
         .iter()
         .map(|t| {
-            let text = t.text();
+            let words = theorems::words(*t);
             json!({
-                "id": text.number,
-                "name": text.name,
-                "shortDescription": { "text": text.sharp.conclusion },
+                "id": t.number(),
+                "name": words.name,
+                "shortDescription": { "text": words.sharp },
             })
         })
         .chain([json!({
@@ -37,7 +38,7 @@ pub fn sarif(matrix: &Matrix) -> String {
                     cell.result().map(|r| format!(", {r}")).unwrap_or_default(),
                     cell.detail()
                 );
-                results.push(result(theorem.text().number, level, &message));
+                results.push(result(theorem.number(), level, &message));
             }
         }
         for problem in &column.problems {

@@ -19,7 +19,7 @@ pub fn text(matrix: &Matrix, out: &mut dyn Write) -> Result<()> {
     heading.extend(matrix.columns.iter().map(|c| c.name.to_owned()));
     table.set_header(heading);
     for (i, theorem) in matrix.theorems.iter().enumerate() {
-        let mut row = vec![theorem.text().number.to_owned()];
+        let mut row = vec![theorem.number().to_owned()];
         row.extend(matrix.columns.iter().map(|c| c.cells.get(i).map_or_else(String::new, short)));
         table.add_row(row);
     }
@@ -53,7 +53,7 @@ fn behind(column: &Column, matrix: &Matrix, out: &mut dyn Write) -> Result<()> {
     writeln!(out, "{} ({}):", column.name, column.kind.text())?;
     let mut lines: Vec<(String, Vec<&str>)> = Vec::new();
     for (theorem, cell) in matrix.theorems.iter().zip(&column.cells) {
-        let number = theorem.text().number;
+        let number = theorem.number();
         let mut line = cell.status().to_owned();
         if let Some(origin) = cell.origin() {
             line.push_str(&format!(" of {}, {}, {}", origin.date, origin.tool, origin.sources));

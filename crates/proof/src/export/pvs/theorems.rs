@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use cordon_spec::theorems::{Form, Hypothesis, StartSet, Theorem, WeightRange};
+use cordon_core::theorems::{self, words};
+use cordon_spec::theorems::{Form, StartSet, Theorem, WeightRange};
 
 /// The theory of the theorems: definitions, then every theorem in its sharp form, with the
 /// paper's form and the erratum as comments.
@@ -21,19 +22,13 @@ pub(super) fn theory() -> String {
 }
 
 fn comment(theorem: Theorem, text: &mut String) {
-    let t = theorem.text();
-    let paper = theorem.statement(Form::Paper);
-    let sharp = theorem.statement(Form::Sharp);
-    let hypothesis = |h: Hypothesis| format!("{}; {}", h.weights.text(), h.starts.text());
-    wrapped(&format!("{} {}.", t.number, t.name), text);
-    wrapped(
-        &format!("Paper: if {} then {}.", hypothesis(paper.hypothesis), paper.conclusion),
-        text,
-    );
-    wrapped(
-        &format!("Sharp: if {} then {}.", hypothesis(sharp.hypothesis), sharp.conclusion),
-        text,
-    );
+    let t = words(theorem);
+    wrapped(&format!("{} {}.", theorem.number(), t.name), text);
+    for (label, form) in [("Paper", Form::Paper), ("Sharp", Form::Sharp)] {
+        let h = theorem.hypothesis(form);
+        let (weights, starts) = (theorems::weights(h.weights), theorems::starts(h.starts));
+        wrapped(&format!("{label}: if {weights}; {starts} then {}.", t.conclusion(form)), text);
+    }
     if let Some(erratum) = t.erratum {
         wrapped(&format!("Erratum: {erratum}."), text);
     }

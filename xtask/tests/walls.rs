@@ -1,0 +1,123 @@
+//! The walls of the house: which room may depend on which. Cargo keeps them; this test keeps
+//! Cargo's manifests.
+
+mod common;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::process::Command;
+
+use serde_json::Value;
+
+/// Every package of the workspace, and the packages of the workspace it may build on. Tests and
+/// benchmarks may use more.
+const ROOMS: &[(&str, &[&str])] = &[
+    ("cordon-spec", &[]),
+    ("cordon-check", &["cordon-spec"]),
+    ("cordon-kani", &["cordon-spec"]),
+    ("cordon-core", &["cordon-spec"]),
+    ("cordon-run", &["cordon-spec", "cordon-core"]),
+    ("cordon-proof", &["cordon-spec", "cordon-check", "cordon-core", "cordon-run"]),
+    ("cordon-cosim", &["cordon-spec", "cordon-core", "cordon-run"]),
+    ("cordon-fmu", &["cordon-cosim"]),
+    ("cordon-paper", &["cordon-spec", "cordon-core", "cordon-run", "cordon-cosim"]),
+    (
+        "cordon",
+        &[
+            "cordon-spec",
+            "cordon-check",
+            "cordon-core",
+            "cordon-run",
+            "cordon-proof",
+            "cordon-cosim",
+            "cordon-paper",
+        ],
+    ),
+    (
+        "xtask",
+        &[
+            "cordon-spec",
+            "cordon-check",
+            "cordon-kani",
+            "cordon-core",
+            "cordon-run",
+            "cordon-proof",
+        ],
+    ),
+];
+
+/// Packages of elsewhere that one room alone may name.
+const KEPT: &[(&str, &[&str])] = &[
+    ("clap", &["cordon", "xtask"]),
+    ("plotters", &["cordon-paper"]),
+    ("image", &["cordon-paper"]),
+    ("quick-xml", &["cordon-cosim"]),
+];
+
+fn metadata() -> Value {
+    let out = Command::new(env!("CARGO"))
+        .args(["metadata", "--format-version", "1", "--no-deps", "--offline"])
+        .current_dir(common::root())
+        .output()
+        .expect("cargo runs");
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    serde_json::from_slice(&out.stdout).expect("JSON")
+}
+
+/// The packages of the workspace, each with the names of what it builds on.
+fn dependencies() -> BTreeMap<String, BTreeSet<String>> {
+    let metadata = metadata();
+    let text = |v: &Value| v.as_str().expect("text").to_owned();
+    let list = |v: &Value| v.as_array().expect("a list").clone();
+    list(&metadata["packages"])
+        .iter()
+        .map(|package| {
+            let built_on = list(&package["dependencies"])
+                .iter()
+                .filter(|d| d["kind"].is_null())
+                .map(|d| text(&d["name"]))
+                .collect();
+            (text(&package["name"]), built_on)
+        })
+        .collect()
+}
+
+#[test]
+fn arrows_point_down() {
+    let found = dependencies();
+    let rooms: BTreeSet<&str> = ROOMS.iter().map(|(room, _)| *room).collect();
+    let packages: BTreeSet<&str> = found.keys().map(String::as_str).collect();
+    assert_eq!(packages, rooms, "every package of the workspace is a room");
+    for (room, allowed) in ROOMS {
+        let below: Vec<&String> =
+            found[*room].iter().filter(|d| rooms.contains(d.as_str())).collect();
+        for dependency in below {
+            assert!(
+                allowed.contains(&dependency.as_str()),
+                "{room} may not depend on {dependency}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_rooms_are_listed_from_the_bottom_up() {
+    for (at, (room, allowed)) in ROOMS.iter().enumerate() {
+        for below in *allowed {
+            let place = ROOMS.iter().position(|(name, _)| name == below);
+            assert!(place.is_some_and(|p| p < at), "{room} above {below}");
+        }
+    }
+}
+
+#[test]
+fn heavy_packages_stay_in_their_rooms() {
+    let found = dependencies();
+    for (package, rooms) in KEPT {
+        let holders: Vec<&str> = found
+            .iter()
+            .filter(|(_, d)| d.contains(*package))
+            .map(|(room, _)| room.as_str())
+            .collect();
+        assert_eq!(&holders, rooms, "who names {package}");
+    }
+}

@@ -1,5 +1,3 @@
-import Mathlib
-
 /-! Maps from drone identifiers to values: the paper's dmap (Listing 3), tabulated. -/
 
 namespace CordonMirror

@@ -34,7 +34,7 @@ theorem active_weight_le (e : Rat) (active : Nat → Bool) (i : Nat) (e1 : 2 * e
     exact e1
   · have hz : (if active i = true then e else 0) = 0 := if_neg h
     rw [hz]
-    linarith
+    grind
 
 theorem count_active (p : Params) (s : State) (active : Nat → Bool) :
     count (exec_coverage_active p s active).drones = count s.drones :=
@@ -85,11 +85,11 @@ theorem active_weighted (p : Params) (s : State) (active : Nat → Bool)
             + p.eps * get s.drones (i + 2) :=
         update_inner p (count s.drones) i (getx s) (by omega)
       rw [hu]
-      ring
+      grind
     · rw [if_neg hb, if_neg hb]
       have hg : getx s (i + 1) = get s.drones (i + 1) := rfl
       rw [hg]
-      ring
+      grind
 
 theorem count_active_step (p : Params) (schedule : Nat → Nat → Bool) (s : State) :
     ∀ k : Nat, count (active_step p schedule s k).drones = count s.drones
@@ -161,13 +161,13 @@ theorem ordering_active (p : Params) (schedule : Nat → Nat → Bool) (s : Stat
           active_weight_nonneg p.eps (schedule k) i e0
         have h1 : 2 * active_weight p.eps (schedule k) i ≤ 1 :=
           active_weight_le p.eps (schedule k) i e1
-        linarith
+        grind
       · intro i _ _
         have h1 : 2 * active_weight p.eps (schedule k) i ≤ 1 :=
           active_weight_le p.eps (schedule k) i e1
         have h2 : 2 * active_weight p.eps (schedule k) (i + 1) ≤ 1 :=
           active_weight_le p.eps (schedule k) (i + 1) e1
-        linarith
+        grind
   intro i hi
   have hc : count (active_step p schedule s k).drones = count s.drones :=
     count_active_step p schedule s k

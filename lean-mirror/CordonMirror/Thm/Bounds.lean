@@ -70,26 +70,26 @@ theorem box_active (p : Params) (schedule : Nat → Nat → Bool) (s : State)
   have lo0 : ∀ j : Nat, j ≤ count s.drones - 1 → 0 ≤ -p.min + 1 * get s.drones j := by
     intro j hj
     have h : p.min ≤ get s.drones j := (hb j (by omega)).1
-    linarith
+    grind
   have up0 : ∀ j : Nat, j ≤ count s.drones - 1 → 0 ≤ p.max + (-1) * get s.drones j := by
     intro j hj
     have h : get s.drones j ≤ p.max := (hb j (by omega)).2
-    linarith
+    grind
   have slo : ∀ j : Nat, (fun _ : Nat => -p.min) j + (fun _ : Nat => -p.min) (j + 2)
       = 2 * (fun _ : Nat => -p.min) (j + 1) := by
     intro j
     show -p.min + -p.min = 2 * -p.min
-    ring
+    grind
   have sup : ∀ j : Nat, (fun _ : Nat => p.max) j + (fun _ : Nat => p.max) (j + 2)
       = 2 * (fun _ : Nat => p.max) (j + 1) := by
     intro j
     show p.max + p.max = 2 * p.max
-    ring
+    grind
   have lo : 0 ≤ -p.min + 1 * get (active_step p schedule s k).drones i :=
     nonneg_active p schedule s hn ha e0 e1 (fun _ => -p.min) 1 slo lo0 k i (by omega)
   have up : 0 ≤ p.max + (-1) * get (active_step p schedule s k).drones i :=
     nonneg_active p schedule s hn ha e0 e1 (fun _ => p.max) (-1) sup up0 k i (by omega)
-  exact And.intro (by linarith) (by linarith)
+  exact And.intro (by grind) (by grind)
 
 /-! ### Delays -/
 
@@ -200,17 +200,17 @@ theorem nonneg_delayed (p : Params) (delay : Nat → Nat → Nat → Nat) (X : N
           have q0 : 0 ≤ b j + d * getx (X (k - delay k (j + 1) j)) j :=
             ih (k - delay k (j + 1) j) (by omega) j (by omega)
           have q1 : 0 ≤ b (j + 1) + d * get (X k).drones (j + 1) :=
-            ih k (le_refl k) (j + 1) (by omega)
+            ih k (Nat.le_refl k) (j + 1) (by omega)
           have q2 : 0 ≤ b (j + 2) + d * getx (X (k - delay k (j + 1) (j + 2))) (j + 2) :=
             ih (k - delay k (j + 1) (j + 2)) (by omega) (j + 2) (by omega)
-          have p0 := mul_nonneg e0 q0
+          have p0 := Rat.mul_nonneg e0 q0
           have p1 : 0 ≤ (1 - 2 * p.eps) * (b (j + 1) + d * get (X k).drones (j + 1)) :=
-            mul_nonneg (by linarith) q1
-          have p2 := mul_nonneg e0 q2
+            Rat.mul_nonneg (by grind) q1
+          have p2 := Rat.mul_nonneg e0 q2
           have hbj : p.eps * (b j + b (j + 2)) = p.eps * (2 * b (j + 1)) :=
             congrArg (fun t => p.eps * t) (hb j)
           rw [hg]
-          linarith
+          grind
 
 /-- Any delays preserve UB. -/
 theorem upper_bound_delayed (p : Params) (delay : Nat → Nat → Nat → Nat) (X : Nat → State)
@@ -226,7 +226,7 @@ theorem upper_bound_delayed (p : Params) (delay : Nat → Nat → Nat → Nat) (
     (scaled_line (count (X 0).drones - 1) p.min p.max)
     (-((count (X 0).drones - 1 : Nat) : Rat))
     (scaled_line_straight (count (X 0).drones - 1) p.min p.max)
-    (upper_bounded_line p (X 0).drones hu) k k (le_refl k) j hj
+    (upper_bounded_line p (X 0).drones hu) k k (Nat.le_refl k) j hj
 
 /-! ### Delays do not preserve order: executed, not proved -/
 

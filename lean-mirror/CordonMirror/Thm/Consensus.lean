@@ -13,7 +13,7 @@ theorem foldl_filter (P : Nat → Bool) (F : Nat → Rat) (n : Nat) :
   | zero =>
     intro f c
     show c = c + 0
-    ring
+    grind
   | succ n ih =>
     intro f c
     have hs : sumn (fun i => if P (f i) = true then F (f i) else 0) (n + 1)
@@ -35,7 +35,7 @@ theorem foldl_filter (P : Nat → Bool) (F : Nat → Rat) (n : Nat) :
         ih (fun i => f (i + 1)) (c + F (f 0))
       have hi : (if P (f 0) = true then F (f 0) else 0) = F (f 0) := if_pos hP
       rw [hf, hi]
-      exact Eq.trans h (add_assoc c (F (f 0))
+      exact Eq.trans h (Rat.add_assoc c (F (f 0))
         (sumn (fun i => if P (f (i + 1)) = true then F (f (i + 1)) else 0) n))
     · have hf : List.filter P (f 0 :: lambda n (fun i => f (i + 1)))
           = List.filter P (lambda n (fun i => f (i + 1))) := by
@@ -47,7 +47,7 @@ theorem foldl_filter (P : Nat → Bool) (F : Nat → Rat) (n : Nat) :
           = c + sumn (fun i => if P (f (i + 1)) = true then F (f (i + 1)) else 0) n :=
         ih (fun i => f (i + 1)) c
       have hi : (if P (f 0) = true then F (f 0) else 0) = 0 := if_neg hP
-      rw [hf, hi, zero_add]
+      rw [hf, hi, Rat.zero_add]
       exact h
 
 /-- What drone `i` feels of drone `j`. -/
@@ -58,7 +58,7 @@ theorem pull_sumn (g : Graph) (x : DroneMap Rat) (i : Nat) :
     pull g x i = sumn (link_pull g x i) g.count := by
   have h : pull g x i = 0 + sumn (link_pull g x i) g.count :=
     foldl_filter (fun j => g.linked i j) (fun j => get x j - get x i) g.count (fun j => j) 0
-  linarith
+  grind
 
 theorem link_pull_opposite (g : Graph) (x : DroneMap Rat) (i j : Nat)
     (hg : g.linked i j = g.linked j i) : link_pull g x i j = -1 * link_pull g x j i := by
@@ -70,11 +70,11 @@ theorem link_pull_opposite (g : Graph) (x : DroneMap Rat) (i j : Nat)
     have b : (if g.linked j i = true then get x i - get x j else 0) = get x i - get x j :=
       if_pos h
     rw [a, b]
-    ring
+    grind
   · have a : (if g.linked j i = true then get x j - get x i else 0) = 0 := if_neg h
     have b : (if g.linked j i = true then get x i - get x j else 0) = 0 := if_neg h
     rw [a, b]
-    ring
+    grind
 
 theorem sumn_swap (F : Nat → Nat → Rat) (m : Nat) (n : Nat) :
     sumn (fun i => sumn (F i) m) n = sumn (fun j => sumn (fun i => F i j) n) m := by
@@ -115,7 +115,7 @@ theorem pulls_cancel (g : Graph) (x : DroneMap Rat)
   have h4 : sumn (fun j => -1 * sumn (link_pull g x j) g.count) g.count
       = -1 * sumn (fun j => sumn (link_pull g x j) g.count) g.count :=
     sumn_scale (-1) (fun j => sumn (link_pull g x j) g.count) g.count
-  linarith
+  grind
 
 theorem sum_lambda (n : Nat) (f : Nat → Rat) : sum (lambda n f) = sumn f n := by
   have h : sum (lambda n f) = sumn (get (lambda n f)) (count (lambda n f)) :=
@@ -148,7 +148,7 @@ theorem formation_sum (eps : Rat) (g : Graph) (x b : DroneMap Rat)
     rw [hb] at h
     exact h
   rw [h1, h2, h3, h4, h5, h6, h7]
-  ring
+  grind
 
 /-- Without input, formation is consensus. -/
 theorem formation_without_input (eps : Rat) (g : Graph) (x b : DroneMap Rat)
@@ -159,7 +159,7 @@ theorem formation_without_input (eps : Rat) (g : Graph) (x b : DroneMap Rat)
     intro i hi
     have hz : get b i = 0 := hb i hi
     rw [hz]
-    ring
+    grind
   exact lambda_ext (count x) (fun i => get x i + eps * (pull g x i + get b i))
     (fun i => get x i + eps * pull g x i) h
 
@@ -180,6 +180,6 @@ theorem consensus_sum (eps : Rat) (g : Graph) (x : DroneMap Rat)
     exact pulls_cancel g x hg
   have h5 : sum x = sumn (get x) (count x) := sum_sumn x
   rw [h1, h2, h3, h4, h5]
-  ring
+  grind
 
 end CordonMirror

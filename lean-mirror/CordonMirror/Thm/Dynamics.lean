@@ -116,7 +116,7 @@ theorem Step.weighted {M : Nat} {e : Rat} {x y : Nat → Rat} (h : Step M e x y)
   have hy : y (i + 1) = e * x i + (1 - 2 * e) * x (i + 1) + e * x (i + 2) := h.inner i hi
   show y (i + 1) = x (i + 1) + e * (x i - 2 * x (i + 1) + x (i + 2))
   rw [hy]
-  ring
+  grind
 
 theorem Weighted.step {M : Nat} {e : Rat} {x y : Nat → Rat}
     (h : Weighted M (fun _ => e) x y) : Step M e x y := by
@@ -124,7 +124,7 @@ theorem Weighted.step {M : Nat} {e : Rat} {x y : Nat → Rat}
   intro i hi
   have hy : y (i + 1) = x (i + 1) + e * (x i - 2 * x (i + 1) + x (i + 2)) := h.inner i hi
   rw [hy]
-  ring
+  grind
 
 theorem exec_step (p : Params) (s : State) (hn : 3 ≤ count s.drones)
     (ha : anchored p s.drones) :

@@ -13,14 +13,14 @@ def errors (p : Params) (s : State) (k i : Nat) : Rat :=
 
 theorem error_first (p : Params) (x : DroneMap Rat) (h : get x 0 = p.min) :
     scaled_error p.min p.max x 0 = 0 := by
-  have h0 : ((0 : Nat) : Rat) = 0 := Nat.cast_zero
+  have h0 : ((0 : Nat) : Rat) = 0 := rfl
   have he : scaled_error p.min p.max x 0
       = scaled_line (count x - 1) p.min p.max 0 + (-((count x - 1 : Nat) : Rat)) * get x 0 :=
     scaled_error_eq p.min p.max x 0
   rw [he, h]
   unfold scaled_line
   rw [h0]
-  ring
+  grind
 
 theorem error_last (p : Params) (x : DroneMap Rat) (h : get x (count x - 1) = p.max) :
     scaled_error p.min p.max x (count x - 1) = 0 := by
@@ -30,7 +30,7 @@ theorem error_last (p : Params) (x : DroneMap Rat) (h : get x (count x - 1) = p.
     scaled_error_eq p.min p.max x (count x - 1)
   rw [he, h]
   unfold scaled_line
-  ring
+  grind
 
 theorem errors_run (p : Params) (s : State) (hn : 3 ≤ count s.drones)
     (ha : anchored p s.drones) : Run (count s.drones - 1) p.eps (errors p s) := by
@@ -87,7 +87,7 @@ theorem sum_increment (p : Params) (s : State) (m : Nat) (hm : count s.drones = 
       hak.2
     rw [hM] at h
     exact h
-  have k0 : ((1 : Nat) : Rat) = 1 := Nat.cast_one
+  have k0 : ((1 : Nat) : Rat) = 1 := rfl
   have k1 : ((m + 1 : Nat) : Rat) = (m : Rat) + 1 := cast_add_one m
   have u1 : errors p s k 1 = ((m : Rat) + 1) * p.min + (p.max - p.min)
       - ((m : Rat) + 1) * get (protocol_step p s k).drones 1 := by
@@ -95,14 +95,14 @@ theorem sum_increment (p : Params) (s : State) (m : Nat) (hm : count s.drones = 
     rw [scaled_error_eq, hM]
     unfold scaled_line
     rw [k1, k0]
-    ring
+    grind
   have um : errors p s k m = ((m : Rat) + 1) * p.min + (m : Rat) * (p.max - p.min)
       - ((m : Rat) + 1) * get (protocol_step p s k).drones m := by
     unfold errors
     rw [scaled_error_eq, hM]
     unfold scaled_line
     rw [k1]
-    ring
+    grind
   have hg : gap (protocol_step p s k).drones m - gap (protocol_step p s k).drones 0
       = p.max - get (protocol_step p s k).drones m
         - (get (protocol_step p s k).drones 1 - p.min) := by
@@ -112,6 +112,6 @@ theorem sum_increment (p : Params) (s : State) (m : Nat) (hm : count s.drones = 
         = get (protocol_step p s k).drones 1 - get (protocol_step p s k).drones 0 := rfl
     rw [g1, g0, xl, x0]
   rw [hid, hg, u1, um]
-  ring
+  grind
 
 end CordonMirror

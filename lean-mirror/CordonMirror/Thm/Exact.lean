@@ -21,16 +21,16 @@ theorem late_other (lo d : Rat) (i : Nat) (h : ¬ (i = 1)) :
   exact if_neg h
 
 theorem late_zero (lo d : Rat) : late lo d 0 = lo := by
-  have h0 : ((0 : Nat) : Rat) = 0 := Nat.cast_zero
+  have h0 : ((0 : Nat) : Rat) = 0 := rfl
   have h : late lo d 0 = lo + 2 * ((0 : Nat) : Rat) * d := late_other lo d 0 (by omega)
   rw [h0] at h
-  linarith
+  grind
 
 theorem late_two (lo d : Rat) : late lo d 2 = lo + 4 * d := by
-  have h2 : ((2 : Nat) : Rat) = 2 := by norm_num
+  have h2 : ((2 : Nat) : Rat) = 2 := by grind
   have h : late lo d 2 = lo + 2 * ((2 : Nat) : Rat) * d := late_other lo d 2 (by omega)
   rw [h2] at h
-  linarith
+  grind
 
 /-- That start, for `m + 2` drones. -/
 def late_start (p : Params) (m : Nat) (d : Rat) : State :=
@@ -54,7 +54,7 @@ theorem late_anchored (p : Params) (m : Nat) (d : Rat) (h1 : 1 ≤ m)
     rw [k1] at h
     have hg : get (late_start p m d).drones (m + 1) = late p.min d (m + 1) :=
       get_late p m d (m + 1) (by omega)
-    linarith
+    grind
   have hM : count (late_start p m d).drones - 1 = m + 1 := by omega
   refine And.intro g0 ?_
   rw [hM]
@@ -72,18 +72,18 @@ theorem late_ordered (p : Params) (m : Nat) (d : Rat) (h0 : 0 < d) :
   · subst hz
     have a : late p.min d 0 = p.min := late_zero p.min d
     have b : late p.min d (0 + 1) = p.min + d := late_one p.min d
-    linarith
+    grind
   · by_cases ho : i = 1
     · subst ho
       have a : late p.min d 1 = p.min + d := late_one p.min d
       have b : late p.min d (1 + 1) = p.min + 4 * d := late_two p.min d
-      linarith
+      grind
     · have a : late p.min d i = p.min + 2 * (i : Rat) * d := late_other p.min d i ho
       have b : late p.min d (i + 1) = p.min + 2 * ((i + 1 : Nat) : Rat) * d :=
         late_other p.min d (i + 1) (by omega)
       have k1 : ((i + 1 : Nat) : Rat) = (i : Rat) + 1 := cast_add_one i
       rw [k1] at b
-      linarith
+      grind
 
 /-- The scaled error of drone `i` there: only drone 1 has one. -/
 theorem late_error (p : Params) (m : Nat) (d : Rat)
@@ -97,7 +97,7 @@ theorem late_error (p : Params) (m : Nat) (d : Rat)
   rw [scaled_error_eq, hM, hg]
   unfold scaled_line
   rw [k1, ← hd]
-  ring
+  grind
 
 theorem late_upper_bounded (p : Params) (m : Nat) (d : Rat) (h0 : 0 < d)
     (hd : 2 * ((m : Rat) + 1) * d = p.max - p.min) :
@@ -105,17 +105,17 @@ theorem late_upper_bounded (p : Params) (m : Nat) (d : Rat) (h0 : 0 < d)
   intro i hi
   have hc : count (late_start p m d).drones = m + 2 := count_late p m d
   have he := late_error p m d hd i (by omega)
-  have mpos : (0 : Rat) ≤ (m : Rat) := Nat.cast_nonneg m
+  have mpos : (0 : Rat) ≤ (m : Rat) := Rat.natCast_nonneg
   rw [he]
   by_cases ho : i = 1
   · subst ho
     have a : late p.min d 1 = p.min + d := late_one p.min d
-    have k : ((1 : Nat) : Rat) = 1 := Nat.cast_one
+    have k : ((1 : Nat) : Rat) = 1 := rfl
     rw [a, k]
-    exact mul_nonneg (by linarith) (by linarith)
+    exact Rat.mul_nonneg (by grind) (by grind)
   · have a : late p.min d i = p.min + 2 * (i : Rat) * d := late_other p.min d i ho
     rw [a]
-    exact mul_nonneg (by linarith) (by linarith)
+    exact Rat.mul_nonneg (by grind) (by grind)
 
 /-- 7.3 is exact: `N ≥ 3`, any `eps > 1/2`, any segment. -/
 theorem upper_bound_exact (p : Params) (N : Nat) (hN : 3 ≤ N) (hs : p.min < p.max)
@@ -124,10 +124,10 @@ theorem upper_bound_exact (p : Params) (N : Nat) (hN : 3 ≤ N) (hs : p.min < p.
       upper_bounded p s.drones ∧ ¬ upper_bounded p (exec_coverage p s).drones := by
   obtain ⟨m, hm⟩ : ∃ m : Nat, N = m + 2 := ⟨N - 2, by omega⟩
   subst hm
-  have mpos : (0 : Rat) ≤ (m : Rat) := Nat.cast_nonneg m
-  have cpos : 0 < 2 * ((m : Rat) + 1) := by linarith
+  have mpos : (0 : Rat) ≤ (m : Rat) := Rat.natCast_nonneg
+  have cpos : 0 < 2 * ((m : Rat) + 1) := by grind
   obtain ⟨d, hd⟩ := exists_quotient (2 * ((m : Rat) + 1)) (p.max - p.min) cpos
-  have h0 : 0 < d := pos_of_scaled (2 * ((m : Rat) + 1)) d cpos (by linarith)
+  have h0 : 0 < d := pos_of_scaled (2 * ((m : Rat) + 1)) d cpos (by grind)
   have hc : count (late_start p m d).drones = m + 2 := count_late p m d
   refine Exists.intro (late_start p m d) ?_
   refine And.intro hc ?_
@@ -154,13 +154,13 @@ theorem upper_bound_exact (p : Params) (N : Nat) (hN : 3 ≤ N) (hs : p.min < p.
   have y2 : get (late_start p m d).drones 2 = p.min + 4 * d :=
     Eq.trans (get_late p m d 2 (by omega)) (late_two p.min d)
   have k1 : ((m + 1 : Nat) : Rat) = (m : Rat) + 1 := cast_add_one m
-  have k0 : ((1 : Nat) : Rat) = 1 := Nat.cast_one
+  have k0 : ((1 : Nat) : Rat) = 1 := rfl
   rw [scaled_error_eq, hM, x1, y0, y1, y2] at hu1
   unfold scaled_line at hu1
   rw [k1, k0, ← hd] at hu1
   have hpos : 0 < ((m : Rat) + 1) * ((2 * p.eps - 1) * d) :=
-    mul_pos (by linarith) (mul_pos (by linarith) h0)
-  linarith
+    Rat.mul_pos (by grind) (Rat.mul_pos (by grind) h0)
+  grind
 
 /-! ### 7.2 -/
 
@@ -190,43 +190,43 @@ theorem get_crowds (p : Params) (m : Nat) (d : Rat) (i : Nat) (h : i < m + 2) :
 
 theorem crowds_zero (p : Params) (m : Nat) (d : Rat) :
     get (crowds_start p m d).drones 0 = p.min := by
-  have k : ((0 : Nat) : Rat) = 0 := Nat.cast_zero
+  have k : ((0 : Nat) : Rat) = 0 := rfl
   have hg : get (crowds_start p m d).drones 0 = crowds p.min p.max d m 0 :=
     get_crowds p m d 0 (by omega)
   have hx : crowds p.min p.max d m 0 = p.min + ((0 : Nat) : Rat) * d :=
     crowds_left p.min p.max d m 0 (by omega)
   rw [k] at hx
-  linarith
+  grind
 
 theorem crowds_one (p : Params) (m : Nat) (d : Rat) :
     get (crowds_start p m d).drones 1 = p.min + d := by
-  have k : ((1 : Nat) : Rat) = 1 := Nat.cast_one
+  have k : ((1 : Nat) : Rat) = 1 := rfl
   have hg : get (crowds_start p m d).drones 1 = crowds p.min p.max d m 1 :=
     get_crowds p m d 1 (by omega)
   have hx : crowds p.min p.max d m 1 = p.min + ((1 : Nat) : Rat) * d :=
     crowds_left p.min p.max d m 1 (by omega)
   rw [k] at hx
-  linarith
+  grind
 
 theorem crowds_two (p : Params) (m : Nat) (d : Rat) (h : 2 < m + 2) :
     get (crowds_start p m d).drones 2 = p.max - ((m : Rat) - 1) * d := by
-  have k : ((2 : Nat) : Rat) = 2 := by norm_num
+  have k : ((2 : Nat) : Rat) = 2 := by grind
   have hg : get (crowds_start p m d).drones 2 = crowds p.min p.max d m 2 :=
     get_crowds p m d 2 h
   have hx : crowds p.min p.max d m 2 = p.max - ((m : Rat) + 1 - ((2 : Nat) : Rat)) * d :=
     crowds_right p.min p.max d m 2 (by omega)
   rw [k] at hx
-  linarith
+  grind
 
 theorem crowds_three (p : Params) (m : Nat) (d : Rat) (h : 3 < m + 2) :
     get (crowds_start p m d).drones 3 = p.max - ((m : Rat) - 2) * d := by
-  have k : ((3 : Nat) : Rat) = 3 := by norm_num
+  have k : ((3 : Nat) : Rat) = 3 := by grind
   have hg : get (crowds_start p m d).drones 3 = crowds p.min p.max d m 3 :=
     get_crowds p m d 3 h
   have hx : crowds p.min p.max d m 3 = p.max - ((m : Rat) + 1 - ((3 : Nat) : Rat)) * d :=
     crowds_right p.min p.max d m 3 (by omega)
   rw [k] at hx
-  linarith
+  grind
 
 theorem crowds_anchored (p : Params) (m : Nat) (d : Rat) (h1 : 1 ≤ m) :
     anchored p (crowds_start p m d).drones := by
@@ -241,7 +241,7 @@ theorem crowds_anchored (p : Params) (m : Nat) (d : Rat) (h1 : 1 ≤ m) :
       = p.max - ((m : Rat) + 1 - ((m + 1 : Nat) : Rat)) * d :=
     crowds_right p.min p.max d m (m + 1) (by omega)
   rw [k1] at hx
-  linarith
+  grind
 
 theorem crowds_ordered (p : Params) (m : Nat) (d : Rat) (h0 : 0 < d)
     (hw : 0 < p.max - p.min - (m : Rat) * d) : ordered (crowds_start p m d).drones := by
@@ -251,13 +251,13 @@ theorem crowds_ordered (p : Params) (m : Nat) (d : Rat) (h0 : 0 < d)
   · subst hz
     have a : get (crowds_start p m d).drones 0 = p.min := crowds_zero p m d
     have b : get (crowds_start p m d).drones (0 + 1) = p.min + d := crowds_one p m d
-    linarith
+    grind
   · by_cases ho : i = 1
     · subst ho
       have a : get (crowds_start p m d).drones 1 = p.min + d := crowds_one p m d
       have b : get (crowds_start p m d).drones (1 + 1) = p.max - ((m : Rat) - 1) * d :=
         crowds_two p m d (by omega)
-      linarith
+      grind
     · have ga : get (crowds_start p m d).drones i = crowds p.min p.max d m i :=
         get_crowds p m d i (by omega)
       have gb : get (crowds_start p m d).drones (i + 1) = crowds p.min p.max d m (i + 1) :=
@@ -269,7 +269,7 @@ theorem crowds_ordered (p : Params) (m : Nat) (d : Rat) (h0 : 0 < d)
         crowds_right p.min p.max d m (i + 1) (by omega)
       have k1 : ((i + 1 : Nat) : Rat) = (i : Rat) + 1 := cast_add_one i
       rw [k1] at b
-      linarith
+      grind
 
 /-- 7.2 is exact: `N ≥ 4`, any `eps > 1/2`, any segment: an ordered start that crosses. -/
 theorem ordering_exact (p : Params) (N : Nat) (hN : 4 ≤ N) (hs : p.min < p.max)
@@ -278,19 +278,19 @@ theorem ordering_exact (p : Params) (N : Nat) (hN : 4 ≤ N) (hs : p.min < p.max
       get (exec_coverage p s).drones 2 < get (exec_coverage p s).drones 1 := by
   obtain ⟨m, hm⟩ : ∃ m : Nat, N = m + 2 := ⟨N - 2, by omega⟩
   subst hm
-  have mpos : (0 : Rat) ≤ (m : Rat) := Nat.cast_nonneg m
-  have e1 : 0 < 2 * p.eps - 1 := by linarith
-  have pm : 0 ≤ (2 * p.eps - 1) * (m : Rat) := mul_nonneg (le_of_lt e1) mpos
-  have cpos : 0 < 2 * (2 * p.eps + (2 * p.eps - 1) * (m : Rat)) := by linarith
-  have wpos : 0 < (2 * p.eps - 1) * (p.max - p.min) := mul_pos e1 (by linarith)
+  have mpos : (0 : Rat) ≤ (m : Rat) := Rat.natCast_nonneg
+  have e1 : 0 < 2 * p.eps - 1 := by grind
+  have pm : 0 ≤ (2 * p.eps - 1) * (m : Rat) := Rat.mul_nonneg (Rat.le_of_lt e1) mpos
+  have cpos : 0 < 2 * (2 * p.eps + (2 * p.eps - 1) * (m : Rat)) := by grind
+  have wpos : 0 < (2 * p.eps - 1) * (p.max - p.min) := Rat.mul_pos e1 (by grind)
   obtain ⟨d, hd⟩ := exists_quotient (2 * (2 * p.eps + (2 * p.eps - 1) * (m : Rat)))
     ((2 * p.eps - 1) * (p.max - p.min)) cpos
   have h0 : 0 < d :=
-    pos_of_scaled (2 * (2 * p.eps + (2 * p.eps - 1) * (m : Rat))) d cpos (by linarith)
-  have hkey : 2 * p.eps * d < (2 * p.eps - 1) * (p.max - p.min - (m : Rat) * d) := by linarith
-  have hed : 0 < 2 * p.eps * d := mul_pos (by linarith) h0
+    pos_of_scaled (2 * (2 * p.eps + (2 * p.eps - 1) * (m : Rat))) d cpos (by grind)
+  have hkey : 2 * p.eps * d < (2 * p.eps - 1) * (p.max - p.min - (m : Rat) * d) := by grind
+  have hed : 0 < 2 * p.eps * d := Rat.mul_pos (by grind) h0
   have hw : 0 < p.max - p.min - (m : Rat) * d :=
-    pos_of_scaled (2 * p.eps - 1) (p.max - p.min - (m : Rat) * d) e1 (by linarith)
+    pos_of_scaled (2 * p.eps - 1) (p.max - p.min - (m : Rat) * d) e1 (by grind)
   have hc : count (crowds_start p m d).drones = m + 2 := count_crowds p m d
   refine Exists.intro (crowds_start p m d) ?_
   refine And.intro hc ?_
@@ -317,7 +317,7 @@ theorem ordering_exact (p : Params) (N : Nat) (hN : 4 ≤ N) (hs : p.min < p.max
   have y3 : get (crowds_start p m d).drones 3 = p.max - ((m : Rat) - 2) * d :=
     crowds_three p m d (by omega)
   rw [x1, x2, y0, y1, y2, y3]
-  linarith
+  grind
 
 /-! ### 7.6 (ii) at `eps = 0` -/
 
@@ -331,7 +331,7 @@ theorem sum_zero_weight (p : Params) (s : State) (hn : 3 ≤ count s.drones)
   | succ k ih =>
     have hid := sum_identity p s m hm (by omega) ha k
     rw [he] at hid
-    linarith
+    grind
 
 /-- 7.6 (ii) is false at `eps = 0`, for every `N ≥ 3` and every segment. -/
 theorem constant_sum_zero_weight (p : Params) (N : Nat) (hN : 3 ≤ N) (hs : p.min < p.max)
@@ -342,10 +342,10 @@ theorem constant_sum_zero_weight (p : Params) (N : Nat) (hN : 3 ≤ N) (hs : p.m
       ¬ at_targets p s.drones := by
   obtain ⟨m, hm⟩ : ∃ m : Nat, N = m + 2 := ⟨N - 2, by omega⟩
   subst hm
-  have mpos : (0 : Rat) ≤ (m : Rat) := Nat.cast_nonneg m
-  have cpos : 0 < 2 * ((m : Rat) + 1) := by linarith
+  have mpos : (0 : Rat) ≤ (m : Rat) := Rat.natCast_nonneg
+  have cpos : 0 < 2 * ((m : Rat) + 1) := by grind
   obtain ⟨d, hd⟩ := exists_quotient (2 * ((m : Rat) + 1)) (p.max - p.min) cpos
-  have h0 : 0 < d := pos_of_scaled (2 * ((m : Rat) + 1)) d cpos (by linarith)
+  have h0 : 0 < d := pos_of_scaled (2 * ((m : Rat) + 1)) d cpos (by grind)
   have hc : count (late_start p m d).drones = m + 2 := count_late p m d
   have ha : anchored p (late_start p m d).drones := late_anchored p m d (by omega) hd
   refine Exists.intro (late_start p m d) ?_
@@ -360,9 +360,9 @@ theorem constant_sum_zero_weight (p : Params) (N : Nat) (hN : 3 ≤ N) (hs : p.m
       = ((m : Rat) + 1) * (p.min + 2 * ((1 : Nat) : Rat) * d - late p.min d 1) :=
     late_error p m d hd 1 (by omega)
   have a : late p.min d 1 = p.min + d := late_one p.min d
-  have k : ((1 : Nat) : Rat) = 1 := Nat.cast_one
+  have k : ((1 : Nat) : Rat) = 1 := rfl
   rw [a, k] at h1
-  have hpos : 0 < ((m : Rat) + 1) * d := mul_pos (by linarith) h0
-  linarith
+  have hpos : 0 < ((m : Rat) + 1) * d := Rat.mul_pos (by grind) h0
+  grind
 
 end CordonMirror

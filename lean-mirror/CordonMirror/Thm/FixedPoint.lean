@@ -69,7 +69,7 @@ theorem exec_at_targets (p : Params) (s : State) (hn : 3 ≤ count s.drones)
       have z1 : scaled_error p.min p.max s.drones (j + 1) = 0 := ht (j + 1) (by omega)
       have z2 : scaled_error p.min p.max s.drones (j + 2) = 0 := ht (j + 2) (by omega)
       rw [hy, z0, z1, z2]
-      ring
+      grind
 
 /-- 7.6 (i), for every weight: once at the targets, at the targets for ever. -/
 theorem targets_fixed_sharp (p : Params) (s : State) (hn : 3 ≤ count s.drones)

@@ -31,7 +31,7 @@ theorem Run.mirror {M : Nat} {e : Rat} {X : Nat → Nat → Rat} (h : Run M e X)
     show X (k + 1) (M - (i + 1))
       = e * X k (M - i) + (1 - 2 * e) * X k (M - (i + 1)) + e * X k (M - (i + 2))
     rw [a0, a1, a2, hin]
-    ring
+    grind
 
 theorem errors_nonneg (M : Nat) (e : Rat) (E : Nat → Nat → Rat) (e0 : 0 ≤ e)
     (e1 : 2 * e ≤ 1) (hE : Run M e E) (h0 : ∀ i : Nat, i ≤ M → 0 ≤ E 0 i) (k : Nat) :
@@ -51,7 +51,7 @@ theorem spread (M : Nat) (e : Rat) (E : Nat → Nat → Rat) (e0 : 0 ≤ e) (e1 
     intro k i hi
     have h1 : e ^ 0 * E k (i + 1 + 0) = E k (i + 1) := by
       show e ^ 0 * E k (i + 1) = E k (i + 1)
-      ring
+      grind
     have h2 : E (k + 0) (i + 1) = E k (i + 1) := rfl
     exact le_of_eq (Eq.trans h1 (Eq.symm h2))
   | succ t ih =>
@@ -61,16 +61,16 @@ theorem spread (M : Nat) (e : Rat) (E : Nat → Nat → Rat) (e0 : 0 ≤ e) (e1 
       (hE (k + t)).inner i (by omega)
     have ix : i + 1 + (t + 1) = i + 1 + 1 + t := by omega
     have ih2 : e ^ t * E k (i + 1 + 1 + t) ≤ E (k + t) (i + 1 + 1) := ih k (i + 1) (by omega)
-    have p0 : 0 ≤ e * E (k + t) i := mul_nonneg e0 (hpos (k + t) i (by omega))
+    have p0 : 0 ≤ e * E (k + t) i := Rat.mul_nonneg e0 (hpos (k + t) i (by omega))
     have p1 : 0 ≤ (1 - 2 * e) * E (k + t) (i + 1) :=
-      mul_nonneg (by linarith) (hpos (k + t) (i + 1) (by omega))
+      Rat.mul_nonneg (by grind) (hpos (k + t) (i + 1) (by omega))
     have p2 : e * (e ^ t * E k (i + 1 + 1 + t)) ≤ e * E (k + t) (i + 2) :=
-      mul_le_mul_of_nonneg_left ih2 e0
-    have hp : e ^ (t + 1) * E k (i + 1 + 1 + t) = e * (e ^ t * E k (i + 1 + 1 + t)) := by ring
+      Rat.mul_le_mul_of_nonneg_left ih2 e0
+    have hp : e ^ (t + 1) * E k (i + 1 + 1 + t) = e * (e ^ t * E k (i + 1 + 1 + t)) := by grind
     rw [ix, hp]
     show e * (e ^ t * E k (i + 1 + 1 + t)) ≤ E (k + t + 1) (i + 1)
     rw [hs]
-    linarith
+    grind
 
 /-- Where the first `h` drones are at their targets, `h - t` of them still are after `t`
 steps. -/
@@ -97,7 +97,7 @@ theorem quiet (M : Nat) (e : Rat) (E : Nat → Nat → Rat) (hE : Run M e E)
       have z2 : E (k + t) (j + 2) = 0 := ih (j + 2) (by omega)
       show E (k + t + 1) (j + 1) = 0
       rw [hs, z0, z1, z2]
-      ring
+      grind
 
 /-- 7.7, exact, left half: if drone `h + 1` is off target and the drones before it are not,
 the error first reaches drone 1 after `h` steps. -/
@@ -107,15 +107,15 @@ theorem first_reach (M : Nat) (e : Rat) (E : Nat → Nat → Rat) (e0 : 0 < e) (
     (hoff : 0 < E k (h + 1)) (hon : ∀ i : Nat, i ≤ h → E k i = 0) :
     (∀ t : Nat, t < h → E (k + t) 1 = 0) ∧ 0 < E (k + h) 1 := by
   have hall : ∀ k i : Nat, i ≤ M → 0 ≤ E k i :=
-    errors_nonneg M e E (le_of_lt e0) e1 hE hpos
+    errors_nonneg M e E (Rat.le_of_lt e0) e1 hE hpos
   refine And.intro ?_ ?_
   · intro t ht
     exact quiet M e E hE hend h k (by omega) hon t 1 (by omega)
   · have hs : e ^ h * E k (0 + 1 + h) ≤ E (k + h) (0 + 1) :=
-      spread M e E (le_of_lt e0) e1 hE hall h k 0 (by omega)
+      spread M e E (Rat.le_of_lt e0) e1 hE hall h k 0 (by omega)
     have ix : 0 + 1 + h = h + 1 := by omega
     rw [ix] at hs
-    have hp : 0 < e ^ h * E k (h + 1) := mul_pos (pow_pos e0 h) hoff
+    have hp : 0 < e ^ h * E k (h + 1) := Rat.mul_pos (Rat.pow_pos e0) hoff
     exact lt_of_lt_of_le hp hs
 
 /-- 7.7, exact, right half: the mirror image. -/

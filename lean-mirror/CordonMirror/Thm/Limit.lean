@@ -16,20 +16,20 @@ theorem Step.neg {M : Nat} {e : Rat} {x y : Nat → Rat} (h : Step M e x y) :
     have hy : y (i + 1) = e * x i + (1 - 2 * e) * x (i + 1) + e * x (i + 2) := h.inner i hi
     show -y (i + 1) = e * -x i + (1 - 2 * e) * -x (i + 1) + e * -x (i + 2)
     rw [hy]
-    ring
+    grind
 
 /-- The contraction vector, with `M = N - 1`. -/
 def weight (M i : Nat) : Rat := (i : Rat) * ((M : Rat) - (i : Rat))
 
 theorem weight_first (M : Nat) : weight M 0 = 0 := by
-  have h0 : ((0 : Nat) : Rat) = 0 := Nat.cast_zero
+  have h0 : ((0 : Nat) : Rat) = 0 := rfl
   unfold weight
   rw [h0]
-  ring
+  grind
 
 theorem weight_last (M : Nat) : weight M M = 0 := by
   unfold weight
-  ring
+  grind
 
 /-- `A w = w - 2 eps`. -/
 theorem weight_eigen (M : Nat) (e : Rat) (i : Nat) :
@@ -39,41 +39,41 @@ theorem weight_eigen (M : Nat) (e : Rat) (i : Nat) :
   have h2 : ((i + 2 : Nat) : Rat) = (i : Rat) + 2 := cast_add_two i
   unfold weight
   rw [h1, h2]
-  ring
+  grind
 
 /-- `4 w_i ≤ M²`. -/
 theorem weight_le (M i : Nat) : 4 * weight M i ≤ (M : Rat) * (M : Rat) := by
   have h : 0 ≤ ((M : Rat) - 2 * (i : Rat)) * ((M : Rat) - 2 * (i : Rat)) :=
     mul_self_nonneg ((M : Rat) - 2 * (i : Rat))
   unfold weight
-  linarith
+  grind
 
 /-- `A w ≤ r w`. -/
 theorem weight_contracts (M : Nat) (e r : Rat) (hM : 0 < M) (e0 : 0 ≤ e)
     (hr : (M : Rat) * (M : Rat) * r = (M : Rat) * (M : Rat) - 8 * e) (i : Nat) :
     weight M i - 2 * e ≤ r * weight M i := by
-  have m0 : (0 : Rat) < (M : Rat) := Nat.cast_pos.mpr hM
-  have mm : 0 < (M : Rat) * (M : Rat) := mul_pos m0 m0
+  have m0 : (0 : Rat) < (M : Rat) := Rat.natCast_pos.mpr hM
+  have mm : 0 < (M : Rat) * (M : Rat) := Rat.mul_pos m0 m0
   have h4 : 0 ≤ (M : Rat) * (M : Rat) - 4 * weight M i := by
     have h : 4 * weight M i ≤ (M : Rat) * (M : Rat) := weight_le M i
-    linarith
-  have h5 : 0 ≤ e * ((M : Rat) * (M : Rat) - 4 * weight M i) := mul_nonneg e0 h4
+    grind
+  have h5 : 0 ≤ e * ((M : Rat) * (M : Rat) - 4 * weight M i) := Rat.mul_nonneg e0 h4
   have h6 : (M : Rat) * (M : Rat) * (r * weight M i - weight M i + 2 * e)
       = 2 * (e * ((M : Rat) * (M : Rat) - 4 * weight M i)) := by
     have h7 : (M : Rat) * (M : Rat) * (r * weight M i - weight M i + 2 * e)
         = ((M : Rat) * (M : Rat) * r) * weight M i
           - (M : Rat) * (M : Rat) * weight M i + 2 * ((M : Rat) * (M : Rat)) * e := by
-      ring
+      grind
     rw [h7, hr]
-    ring
-  by_contra hneg
+    grind
+  refine Classical.byContradiction fun hneg => ?_
   have hlt : r * weight M i - weight M i + 2 * e < 0 := by
-    have h : r * weight M i < weight M i - 2 * e := not_le.mp hneg
-    linarith
+    have h : r * weight M i < weight M i - 2 * e := Rat.not_le.mp hneg
+    grind
   have hprod : (M : Rat) * (M : Rat) * (r * weight M i - weight M i + 2 * e) < 0 :=
     mul_neg_of_pos_of_neg mm hlt
   rw [h6] at hprod
-  linarith
+  grind
 
 theorem contraction_step (M : Nat) (e r C : Rat) (hM : 0 < M) (e0 : 0 ≤ e) (e1 : 2 * e ≤ 1)
     (hr : (M : Rat) * (M : Rat) * r = (M : Rat) * (M : Rat) - 8 * e) (hC : 0 ≤ C)
@@ -83,29 +83,29 @@ theorem contraction_step (M : Nat) (e r C : Rat) (hM : 0 < M) (e0 : 0 ≤ e) (e1
   intro i hi
   by_cases hl : i = M
   · rw [hl, h.right_end, xM, weight_last]
-    linarith
+    grind
   · by_cases h0 : i = 0
     · rw [h0, h.left_end, x0, weight_first]
-      linarith
+      grind
     · obtain ⟨j, hj⟩ : ∃ j : Nat, i = j + 1 := ⟨i - 1, by omega⟩
       subst hj
       have hy : y (j + 1) = e * x j + (1 - 2 * e) * x (j + 1) + e * x (j + 2) :=
         h.inner j (by omega)
       have b0 : e * x j ≤ e * (C * weight M j) :=
-        mul_le_mul_of_nonneg_left (hx j (by omega)) e0
+        Rat.mul_le_mul_of_nonneg_left (hx j (by omega)) e0
       have b1 : (1 - 2 * e) * x (j + 1) ≤ (1 - 2 * e) * (C * weight M (j + 1)) :=
-        mul_le_mul_of_nonneg_left (hx (j + 1) (by omega)) (by linarith)
+        Rat.mul_le_mul_of_nonneg_left (hx (j + 1) (by omega)) (by grind)
       have b2 : e * x (j + 2) ≤ e * (C * weight M (j + 2)) :=
-        mul_le_mul_of_nonneg_left (hx (j + 2) (by omega)) e0
+        Rat.mul_le_mul_of_nonneg_left (hx (j + 2) (by omega)) e0
       have hw : weight M (j + 1) - 2 * e ≤ r * weight M (j + 1) :=
         weight_contracts M e r hM e0 hr (j + 1)
       have hCw : C * (weight M (j + 1) - 2 * e) ≤ C * (r * weight M (j + 1)) :=
-        mul_le_mul_of_nonneg_left hw hC
+        Rat.mul_le_mul_of_nonneg_left hw hC
       have he : C * (e * weight M j + (1 - 2 * e) * weight M (j + 1) + e * weight M (j + 2))
           = C * (weight M (j + 1) - 2 * e) :=
         congrArg (fun t => C * t) (weight_eigen M e j)
       rw [hy]
-      linarith
+      grind
 
 /-- 7.8, the rate, on error sequences. `C` is any bound of the initial errors:
 `|E_0 i| ≤ C w_i`; then `|E_k i| ≤ r^k C w_i`. -/
@@ -118,17 +118,17 @@ theorem limit_rate (M : Nat) (e r C : Rat) (hM : 0 < M) (e0 : 0 ≤ e) (e1 : 2 *
   induction k with
   | zero =>
     intro i hi
-    have h1 : r ^ 0 * C * weight M i = C * weight M i := by ring
+    have h1 : r ^ 0 * C * weight M i = C * weight M i := by grind
     rw [h1]
     exact And.intro (hup i hi) (hlo i hi)
   | succ k ih =>
     intro i hi
-    have hk : 0 ≤ r ^ k * C := mul_nonneg (pow_nonneg r0 k) hC
-    have hp : r ^ (k + 1) * C * weight M i = r * (r ^ k * C) * weight M i := by ring
+    have hk : 0 ≤ r ^ k * C := Rat.mul_nonneg (Rat.pow_nonneg r0) hC
+    have hp : r ^ (k + 1) * C * weight M i = r * (r ^ k * C) * weight M i := by grind
     have k0 : E k 0 = 0 := Eq.trans (Run.ends hE k).1 E0
     have kM : E k M = 0 := Eq.trans (Run.ends hE k).2 EM
-    have n0 : -E k 0 = 0 := by linarith
-    have nM : -E k M = 0 := by linarith
+    have n0 : -E k 0 = 0 := by grind
+    have nM : -E k M = 0 := by grind
     rw [hp]
     refine And.intro ?_ ?_
     · exact contraction_step M e r (r ^ k * C) hM e0 e1 hr hk (E k) (E (k + 1)) (hE k) k0 kM

@@ -13,17 +13,17 @@ theorem sumn_shift (f : Nat → Rat) :
     ∀ n : Nat, sumn f (n + 1) = f 0 + sumn (fun i => f (i + 1)) n
   | 0 => by
     show (0 : Rat) + f 0 = f 0 + 0
-    ring
+    grind
   | n + 1 => by
     have ih : sumn f (n + 1) = f 0 + sumn (fun i => f (i + 1)) n := sumn_shift f n
     show sumn f (n + 1) + f (n + 1) = f 0 + (sumn (fun i => f (i + 1)) n + f (n + 1))
     rw [ih]
-    ring
+    grind
 
 theorem foldl_add :
     ∀ (l : List Rat) (c : Rat),
       l.foldl (fun a b : Rat => a + b) c = c + l.foldl (fun a b : Rat => a + b) 0
-  | [], c => Eq.symm (add_zero c)
+  | [], c => Eq.symm (Rat.add_zero c)
   | x :: l, c => by
     have h1 : l.foldl (fun a b : Rat => a + b) (c + x)
         = (c + x) + l.foldl (fun a b : Rat => a + b) 0 :=
@@ -34,7 +34,7 @@ theorem foldl_add :
     show l.foldl (fun a b : Rat => a + b) (c + x)
       = c + l.foldl (fun a b : Rat => a + b) (0 + x)
     rw [h1, h2]
-    ring
+    grind
 
 theorem sum_cons (a : Rat) (l : List Rat) : sum (a :: l) = a + sum l := by
   have h : l.foldl (fun c xi : Rat => c + xi) (0 + a)
@@ -43,7 +43,7 @@ theorem sum_cons (a : Rat) (l : List Rat) : sum (a :: l) = a + sum l := by
   show l.foldl (fun c xi : Rat => c + xi) (0 + a)
     = a + l.foldl (fun c xi : Rat => c + xi) 0
   rw [h]
-  ring
+  grind
 
 theorem sum_sumn : ∀ x : List Rat, sum x = sumn (get x) (count x)
   | [] => rfl
@@ -63,7 +63,7 @@ theorem telescope (M : Nat) (e : Rat) (x y : Nat → Rat) (h : Step M e x y) (m 
     intro _
     show ((0 : Rat) + y 0) - (0 + x 0) = e * ((x 1 - x 0) - (x 1 - x 0))
     rw [h.left_end]
-    ring
+    grind
   | succ m ih =>
     intro hm
     have hy : y (m + 1) = e * x m + (1 - 2 * e) * x (m + 1) + e * x (m + 2) :=
@@ -73,7 +73,7 @@ theorem telescope (M : Nat) (e : Rat) (x y : Nat → Rat) (h : Step M e x y) (m 
     show (sumn y (m + 1) + y (m + 1)) - (sumn x (m + 1) + x (m + 1))
       = e * ((x (m + 2) - x (m + 1)) - (x 1 - x 0))
     rw [hy]
-    linarith
+    grind
 
 /-- `c^{k+1} - c^k = eps * (g_{N-2} - g_0)`, on sequences. -/
 theorem telescope_all (m : Nat) (e : Rat) (x y : Nat → Rat) (h : Step (m + 1) e x y) :
@@ -84,7 +84,7 @@ theorem telescope_all (m : Nat) (e : Rat) (x y : Nat → Rat) (h : Step (m + 1) 
   show (sumn y (m + 1) + y (m + 1)) - (sumn x (m + 1) + x (m + 1))
     = e * ((x (m + 1) - x m) - (x 1 - x 0))
   rw [hl]
-  linarith
+  grind
 
 theorem sum_positions (p : Params) (s : State) (N : Nat) (hN : count s.drones = N) (k : Nat) :
     sum (protocol_step p s k).drones = sumn (positions p s k) N := by
@@ -140,10 +140,10 @@ theorem sum_non_decreasing_sharp (p : Params) (s : State) (m : Nat)
   rw [scaled_error_eq, hM] at u1 um
   unfold scaled_line at u1 um
   have k1 : ((m + 1 : Nat) : Rat) = (m : Rat) + 1 := cast_add_one m
-  have k0 : ((1 : Nat) : Rat) = 1 := Nat.cast_one
+  have k0 : ((1 : Nat) : Rat) = 1 := rfl
   rw [k1, k0] at u1
   rw [k1] at um
-  have mpos : (0 : Rat) ≤ (m : Rat) := Nat.cast_nonneg m
+  have mpos : (0 : Rat) ≤ (m : Rat) := Rat.natCast_nonneg
   have g : 0 ≤ gap (protocol_step p s k).drones m - gap (protocol_step p s k).drones 0 := by
     unfold gap
     show 0 ≤ get (protocol_step p s k).drones (m + 1) - get (protocol_step p s k).drones m
@@ -152,18 +152,18 @@ theorem sum_non_decreasing_sharp (p : Params) (s : State) (m : Nat)
     have q : 0 ≤ ((m : Rat) + 1)
         * (p.max - get (protocol_step p s k).drones m
           - (get (protocol_step p s k).drones 1 - p.min)) := by
-      linarith
-    by_contra hneg
+      grind
+    refine Classical.byContradiction fun hneg => ?_
     have hlt : p.max - get (protocol_step p s k).drones m
-        - (get (protocol_step p s k).drones 1 - p.min) < 0 := not_le.mp hneg
+        - (get (protocol_step p s k).drones 1 - p.min) < 0 := Rat.not_le.mp hneg
     have hprod : ((m : Rat) + 1)
         * (p.max - get (protocol_step p s k).drones m
           - (get (protocol_step p s k).drones 1 - p.min)) < 0 :=
-      mul_neg_of_pos_of_neg (by linarith) hlt
-    linarith
+      mul_neg_of_pos_of_neg (by grind) hlt
+    grind
   have hprod : 0 ≤ p.eps
       * (gap (protocol_step p s k).drones m - gap (protocol_step p s k).drones 0) :=
-    mul_nonneg e0 g
-  linarith
+    Rat.mul_nonneg e0 g
+  grind
 
 end CordonMirror

@@ -7,30 +7,30 @@ namespace CordonMirror
 theorem convex_pos_2 (a g h : Rat) (a0 : 0 ≤ a) (a1 : a ≤ 1) (hg : 0 < g) (hh : 0 < h) :
     0 < (1 - a) * g + a * h := by
   by_cases hc : a < 1
-  · have p1 : 0 < (1 - a) * g := mul_pos (by linarith) hg
-    have p2 : 0 ≤ a * h := mul_nonneg a0 (le_of_lt hh)
-    linarith
-  · have h1 : 1 ≤ a := not_lt.mp hc
-    have p1 : 0 ≤ (1 - a) * g := mul_nonneg (by linarith) (le_of_lt hg)
-    have p2 : 0 < a * h := mul_pos (by linarith) hh
-    linarith
+  · have p1 : 0 < (1 - a) * g := Rat.mul_pos (by grind) hg
+    have p2 : 0 ≤ a * h := Rat.mul_nonneg a0 (Rat.le_of_lt hh)
+    grind
+  · have h1 : 1 ≤ a := Rat.not_lt.mp hc
+    have p1 : 0 ≤ (1 - a) * g := Rat.mul_nonneg (by grind) (Rat.le_of_lt hg)
+    have p2 : 0 < a * h := Rat.mul_pos (by grind) hh
+    grind
 
 theorem convex_pos_3 (a b f g h : Rat) (a0 : 0 ≤ a) (b0 : 0 ≤ b) (ab : a + b ≤ 1)
     (hf : 0 < f) (hg : 0 < g) (hh : 0 < h) :
     0 < a * f + (1 - a - b) * g + b * h := by
-  have p1 : 0 ≤ a * f := mul_nonneg a0 (le_of_lt hf)
-  have p2 : 0 ≤ (1 - a - b) * g := mul_nonneg (by linarith) (le_of_lt hg)
-  have p3 : 0 ≤ b * h := mul_nonneg b0 (le_of_lt hh)
+  have p1 : 0 ≤ a * f := Rat.mul_nonneg a0 (Rat.le_of_lt hf)
+  have p2 : 0 ≤ (1 - a - b) * g := Rat.mul_nonneg (by grind) (Rat.le_of_lt hg)
+  have p3 : 0 ≤ b * h := Rat.mul_nonneg b0 (Rat.le_of_lt hh)
   by_cases ha : 0 < a
-  · have q : 0 < a * f := mul_pos ha hf
-    linarith
+  · have q : 0 < a * f := Rat.mul_pos ha hf
+    grind
   · by_cases hb : 0 < b
-    · have q : 0 < b * h := mul_pos hb hh
-      linarith
-    · have a1 : a ≤ 0 := not_lt.mp ha
-      have b1 : b ≤ 0 := not_lt.mp hb
-      have q : 0 < (1 - a - b) * g := mul_pos (by linarith) hg
-      linarith
+    · have q : 0 < b * h := Rat.mul_pos hb hh
+      grind
+    · have a1 : a ≤ 0 := Rat.not_lt.mp ha
+      have b1 : b ≤ 0 := Rat.not_lt.mp hb
+      have q : 0 < (1 - a - b) * g := Rat.mul_pos (by grind) hg
+      grind
 
 /-- Each new gap is a convex combination of old ones as soon as the weights of two
 neighbours add up to at most 1. -/
@@ -50,10 +50,10 @@ theorem ordering_weighted (M : Nat) (hM : 2 ≤ M) (a x y : Nat → Rat) (hw : W
     have c : 0 < (1 - a 1) * (x 1 - x 0) + a 1 * (x 2 - x 1) :=
       convex_pos_2 (a 1) (x 1 - x 0) (x 2 - x 1)
         (ha0 1 (by omega) (by omega)) (ha1 1 (by omega) (by omega))
-        (by linarith) (by linarith)
+        (by grind) (by grind)
     show y 0 < y 1
     rw [y0, y1]
-    linarith
+    grind
   · obtain ⟨j, hj⟩ : ∃ j : Nat, i = j + 1 := ⟨i - 1, by omega⟩
     subst hj
     have y1 : y (j + 1) = x (j + 1) + a (j + 1) * (x j - 2 * x (j + 1) + x (j + 2)) :=
@@ -68,10 +68,10 @@ theorem ordering_weighted (M : Nat) (hM : 2 ≤ M) (a x y : Nat → Rat) (hw : W
         exact hw.right_end
       have c : 0 < (1 - a (j + 1)) * (x (j + 2) - x (j + 1)) + a (j + 1) * (x (j + 1) - x j) :=
         convex_pos_2 (a (j + 1)) (x (j + 2) - x (j + 1)) (x (j + 1) - x j) p0 p1
-          (by linarith) (by linarith)
+          (by grind) (by grind)
       show y (j + 1) < y (j + 2)
       rw [y1, y2]
-      linarith
+      grind
     · have y2 : y (j + 2)
           = x (j + 2) + a (j + 2) * (x (j + 1) - 2 * x (j + 2) + x (j + 3)) :=
         hw.inner (j + 1) (by omega)
@@ -82,10 +82,10 @@ theorem ordering_weighted (M : Nat) (hM : 2 ≤ M) (a x y : Nat → Rat) (hw : W
           + (1 - a (j + 1) - a (j + 2)) * (x (j + 2) - x (j + 1))
           + a (j + 2) * (x (j + 3) - x (j + 2)) :=
         convex_pos_3 (a (j + 1)) (a (j + 2)) (x (j + 1) - x j) (x (j + 2) - x (j + 1))
-          (x (j + 3) - x (j + 2)) p0 q0 pq (by linarith) (by linarith) (by linarith)
+          (x (j + 3) - x (j + 2)) p0 q0 pq (by grind) (by grind) (by grind)
       show y (j + 1) < y (j + 2)
       rw [y1, y2]
-      linarith
+      grind
 
 theorem ordering_run (M : Nat) (e : Rat) (X : Nat → Nat → Rat) (hM : 2 ≤ M)
     (e0 : 0 ≤ e) (e1 : e ≤ 1) (e2 : 2 * e ≤ 1 ∨ M = 2) (hX : Run M e X)
@@ -100,7 +100,7 @@ theorem ordering_run (M : Nat) (e : Rat) (X : Nat → Nat → Rat) (hM : 2 ≤ M
     intro i hi hiM
     show e + e ≤ 1
     cases e2 with
-    | inl h => linarith
+    | inl h => grind
     | inr h => exact absurd hiM (by omega)
 
 theorem ordering_general (p : Params) (s : State) (hn : 3 ≤ count s.drones)
@@ -120,7 +120,7 @@ theorem ordering_general (p : Params) (s : State) (hn : 3 ≤ count s.drones)
 theorem ordering_sharp (p : Params) (s : State) (hn : 3 ≤ count s.drones)
     (ha : anchored p s.drones) (e0 : 0 ≤ p.eps) (e1 : 2 * p.eps ≤ 1)
     (ho : ordered s.drones) (k : Nat) : ordered (protocol_step p s k).drones :=
-  ordering_general p s hn ha e0 (by linarith) (Or.inl e1) ho k
+  ordering_general p s hn ha e0 (by grind) (Or.inl e1) ho k
 
 /-- 7.2 for three drones: up to `eps = 1`. -/
 theorem ordering_three (p : Params) (s : State) (hn : count s.drones = 3)
@@ -132,6 +132,6 @@ theorem ordering_three (p : Params) (s : State) (hn : count s.drones = 3)
 theorem ordering_paper (p : Params) (s : State) (hn : 3 ≤ count s.drones)
     (ha : anchored p s.drones) (e0 : 0 ≤ p.eps) (e1 : 3 * p.eps < 1)
     (ho : ordered s.drones) (k : Nat) : ordered (protocol_step p s k).drones :=
-  ordering_sharp p s hn ha e0 (by linarith) ho k
+  ordering_sharp p s hn ha e0 (by grind) ho k
 
 end CordonMirror

@@ -16,7 +16,7 @@ theorem ite_else (c : Prop) [Decidable c] (a b d : Rat) :
     (if c then a else (if c then b else d)) = (if c then a else d) := by
   by_cases h : c
   · exact Eq.trans (if_pos h) (Eq.symm (if_pos h))
-  · exact if_neg h
+  · exact Eq.trans (if_neg h) (Eq.trans (if_neg h) (Eq.symm (if_neg h)))
 
 theorem machine_lambda (n : Nat) (f : Nat → SimState) (i : Nat) (h : i < n) :
     machine (lambda n f) i = f i :=
@@ -38,7 +38,7 @@ theorem reached_iff (r : TickRatio) (t : Nat) (hD : 0 < r.den) (ht : t ≤ count
   rw [hcomm]
   refine Iff.intro ?_ ?_
   · intro hle
-    by_contra hne
+    refine Classical.byContradiction fun hne => ?_
     have hlt : t + 1 ≤ counter_limit r := by omega
     have hmul : r.den * (t + 1) ≤ r.den * counter_limit r := Nat.mul_le_mul_left r.den hlt
     have hexp : r.den * (t + 1) = r.den * t + r.den := Nat.mul_succ r.den t

@@ -26,22 +26,22 @@ theorem sumn_add (f g : Nat → Rat) (n : Nat) :
   induction n with
   | zero =>
     show (0 : Rat) = 0 + 0
-    norm_num
+    grind
   | succ n ih =>
     show sumn (fun i => f i + g i) n + (f n + g n) = (sumn f n + f n) + (sumn g n + g n)
     rw [ih]
-    ring
+    grind
 
 theorem sumn_scale (c : Rat) (f : Nat → Rat) (n : Nat) :
     sumn (fun i => c * f i) n = c * sumn f n := by
   induction n with
   | zero =>
     show (0 : Rat) = c * 0
-    ring
+    grind
   | succ n ih =>
     show sumn (fun i => c * f i) n + c * f n = c * (sumn f n + f n)
     rw [ih]
-    ring
+    grind
 
 theorem sumn_zero (f : Nat → Rat) (n : Nat) :
     (∀ i : Nat, i < n → f i = 0) → sumn f n = 0 := by
@@ -54,20 +54,20 @@ theorem sumn_zero (f : Nat → Rat) (n : Nat) :
     have h1 : sumn f n = 0 := ih (fun i hi => h i (by omega))
     have h2 : f n = 0 := h n (by omega)
     show sumn f n + f n = 0
-    linarith
+    grind
 
 theorem sumn_nonneg (f : Nat → Rat) (n : Nat) :
     (∀ i : Nat, i < n → 0 ≤ f i) → 0 ≤ sumn f n := by
   induction n with
   | zero =>
     intro _
-    exact le_refl (0 : Rat)
+    exact Rat.le_refl
   | succ n ih =>
     intro h
     have h1 : 0 ≤ sumn f n := ih (fun i hi => h i (by omega))
     have h2 : 0 ≤ f n := h n (by omega)
     show 0 ≤ sumn f n + f n
-    linarith
+    grind
 
 theorem sumn_zero_each (f : Nat → Rat) (n : Nat) :
     (∀ i : Nat, i < n → 0 ≤ f i) → sumn f n = 0 → ∀ i : Nat, i < n → f i = 0 := by
@@ -80,8 +80,8 @@ theorem sumn_zero_each (f : Nat → Rat) (n : Nat) :
     have hn : 0 ≤ sumn f n := sumn_nonneg f n (fun j hj => h j (by omega))
     have hf : 0 ≤ f n := h n (by omega)
     have hs2 : sumn f n + f n = 0 := hs
-    have z1 : sumn f n = 0 := by linarith
-    have z2 : f n = 0 := by linarith
+    have z1 : sumn f n = 0 := by grind
+    have z2 : f n = 0 := by grind
     by_cases hl : i = n
     · rw [hl]
       exact z2
@@ -92,17 +92,17 @@ theorem sumn_line (M : Nat) (lo up : Rat) (n : Nat) :
       = 2 * ((n : Rat) * ((M : Rat) * lo)) + (n : Rat) * ((n : Rat) - 1) * (up - lo) := by
   induction n with
   | zero =>
-    have h0 : ((0 : Nat) : Rat) = 0 := Nat.cast_zero
+    have h0 : ((0 : Nat) : Rat) = 0 := rfl
     have hs : sumn (scaled_line M lo up) 0 = 0 := rfl
     rw [h0, hs]
-    ring
+    grind
   | succ n ih =>
     have h1 : ((n + 1 : Nat) : Rat) = (n : Rat) + 1 := cast_add_one n
     have hl : scaled_line M lo up n = (M : Rat) * lo + (n : Rat) * (up - lo) := rfl
     have hs : sumn (scaled_line M lo up) (n + 1)
         = sumn (scaled_line M lo up) n + scaled_line M lo up n := rfl
     rw [h1, hs, hl]
-    linarith
+    grind
 
 /-- The errors add up to what the sum lacks, times `(N - 1) / 2`. -/
 theorem sum_errors (lo up : Rat) (x : DroneMap Rat) (m : Nat) (hm : count x = m + 1) :
@@ -137,7 +137,7 @@ theorem sum_errors (lo up : Rat) (x : DroneMap Rat) (m : Nat) (hm : count x = m 
   have h6 : ((m + 1 : Nat) : Rat) = (m : Rat) + 1 := cast_add_one m
   rw [h6] at h5
   rw [hm, h6, h1, h2, h3, h4]
-  linarith
+  grind
 
 /-! ### On the spec -/
 
@@ -154,25 +154,25 @@ theorem sum_below (p : Params) (x : DroneMap Rat) (hn : 3 ≤ count x) (hu : upp
   have hs : 0 ≤ sumn (scaled_error p.min p.max x) (m + 1) :=
     sumn_nonneg (scaled_error p.min p.max x) (m + 1) hpos
   refine And.intro ?_ (Iff.intro ?_ ?_)
-  · by_contra hneg
+  · refine Classical.byContradiction fun hneg => ?_
     have hlt : (count x : Rat) * (p.min + p.max) - 2 * sum x < 0 := by
-      have h : (count x : Rat) * (p.min + p.max) < 2 * sum x := not_le.mp hneg
-      linarith
+      have h : (count x : Rat) * (p.min + p.max) < 2 * sum x := Rat.not_le.mp hneg
+      grind
     have hprod : (m : Rat) * ((count x : Rat) * (p.min + p.max) - 2 * sum x) < 0 :=
       mul_neg_of_pos_of_neg mpos hlt
-    linarith
+    grind
   · intro heq i hi
-    have hd : (count x : Rat) * (p.min + p.max) - 2 * sum x = 0 := by linarith
+    have hd : (count x : Rat) * (p.min + p.max) - 2 * sum x = 0 := by grind
     rw [hd] at he
-    have hs0 : sumn (scaled_error p.min p.max x) (m + 1) = 0 := by linarith
+    have hs0 : sumn (scaled_error p.min p.max x) (m + 1) = 0 := by grind
     exact sumn_zero_each (scaled_error p.min p.max x) (m + 1) hpos hs0 i (by omega)
   · intro ht
     have hs0 : sumn (scaled_error p.min p.max x) (m + 1) = 0 :=
       sumn_zero (scaled_error p.min p.max x) (m + 1) (fun i hi => ht i (by omega))
-    have hz : (m : Rat) * ((count x : Rat) * (p.min + p.max) - 2 * sum x) = 0 := by linarith
+    have hz : (m : Rat) * ((count x : Rat) * (p.min + p.max) - 2 * sum x) = 0 := by grind
     have hd : (count x : Rat) * (p.min + p.max) - 2 * sum x = 0 :=
       zero_of_scaled (m : Rat) ((count x : Rat) * (p.min + p.max) - 2 * sum x) mpos hz
-    linarith
+    grind
 
 /-- 7.4, both parts, free of division. -/
 theorem sum_bounded_and_maximal (p : Params) (s : State) (hn : 3 ≤ count s.drones)

@@ -13,17 +13,17 @@ theorem sum_stationary_sharp (p : Params) (s : State) (hn : 3 ≤ count s.drones
   have hi := sum_increment p s m hm (by omega) ha k
   have z1 : errors p s k 1 = 0 := ht 1 (by omega)
   have zm : errors p s k m = 0 := ht m (by omega)
-  have mpos : (0 : Rat) ≤ (m : Rat) := Nat.cast_nonneg m
+  have mpos : (0 : Rat) ≤ (m : Rat) := Rat.natCast_nonneg
   rw [z1, zm] at hi
   have hz : ((m : Rat) + 1)
       * (sum (protocol_step p s (k + 1)).drones - sum (protocol_step p s k).drones) = 0 := by
     rw [hi]
-    ring
+    grind
   have hd : sum (protocol_step p s (k + 1)).drones - sum (protocol_step p s k).drones = 0 :=
     zero_of_scaled ((m : Rat) + 1)
       (sum (protocol_step p s (k + 1)).drones - sum (protocol_step p s k).drones)
-      (by linarith) hz
-  linarith
+      (by grind) hz
+  grind
 
 /-- 7.6 (i) as printed: once at the targets, the sum stays. -/
 theorem targets_fixed_sum (p : Params) (s : State) (hn : 3 ≤ count s.drones)
@@ -68,7 +68,7 @@ theorem reach_left (M : Nat) (e : Rat) (E : Nat → Nat → Rat) (e0 : 0 < e) (e
     (hE : Run M e E) (hpos : ∀ k i : Nat, i ≤ M → 0 ≤ E k i) (k h : Nat) (hh : h + 1 < M) :
     e ^ h * E k (h + 1) ≤ E (k + h) 1 := by
   have hs : e ^ h * E k (0 + 1 + h) ≤ E (k + h) (0 + 1) :=
-    spread M e E (le_of_lt e0) e1 hE hpos h k 0 (by omega)
+    spread M e E (Rat.le_of_lt e0) e1 hE hpos h k 0 (by omega)
   have ix : 0 + 1 + h = h + 1 := by omega
   rw [ix] at hs
   exact hs
@@ -98,13 +98,13 @@ theorem first_gain (m : Nat) (e : Rat) (E : Nat → Nat → Rat) (h1 : 1 ≤ m) 
   · intro t ht
     have hon : ∀ i : Nat, i ≤ h → E k i = 0 := by
       intro i hi
-      by_contra hne
+      refine Classical.byContradiction fun hne => ?_
       have hl : h + 1 ≤ depth (m + 2) i := hleast i (by omega) hne
       have hl2 : depth (m + 2) i ≤ i := depth_le_left (m + 2) i
       omega
     have hon2 : ∀ i : Nat, i ≤ h → E k (m + 1 - i) = 0 := by
       intro i hi
-      by_contra hne
+      refine Classical.byContradiction fun hne => ?_
       have hl : h + 1 ≤ depth (m + 2) (m + 1 - i) := hleast (m + 1 - i) (by omega) hne
       have hl2 : depth (m + 2) (m + 1 - i) ≤ m + 2 - 1 - (m + 1 - i) :=
         depth_le_right (m + 2) (m + 1 - i)
@@ -121,26 +121,26 @@ theorem first_gain (m : Nat) (e : Rat) (E : Nat → Nat → Rat) (h1 : 1 ≤ m) 
         (by omega)
     have i2 : m + 1 - 1 = m := by omega
     rw [i2] at q2
-    linarith
+    grind
   · have p1 : 0 ≤ E (k + h) 1 := hpos (k + h) 1 (by omega)
     have pm : 0 ≤ E (k + h) m := hpos (k + h) m (by omega)
     have pj : 0 ≤ E k j := hpos k j (by omega)
-    have sj : 0 < E k j := lt_of_le_of_ne pj (fun h0 => hoff (Eq.symm h0))
-    have pe : 0 < e ^ h := pow_pos e0 h
-    have pp : 0 < e ^ h * E k j := mul_pos pe sj
+    have sj : 0 < E k j := Rat.lt_of_le_of_ne pj (fun h0 => hoff (Eq.symm h0))
+    have pe : 0 < e ^ h := Rat.pow_pos e0
+    have pp : 0 < e ^ h * E k j := Rat.mul_pos pe sj
     by_cases hc : j ≤ m + 2 - 1 - j
     · have hdj : depth (m + 2) j = j := depth_left (m + 2) j hc
       have hj2 : h + 1 = j := by omega
       have hr : e ^ h * E k (h + 1) ≤ E (k + h) 1 :=
         reach_left (m + 1) e E e0 e1 hE hpos k h (by omega)
       rw [hj2] at hr
-      linarith
+      grind
     · have hdj : depth (m + 2) j = m + 2 - 1 - j := depth_right (m + 2) j hc
       have hj2 : m - h = j := by omega
       have hr : e ^ h * E k (m - h) ≤ E (k + h) m :=
         reach_right m e E e0 e1 hE hpos k h (by omega)
       rw [hj2] at hr
-      linarith
+      grind
 
 /-- 7.7, exact: `h + 1` is the least depth of an off-target drone. -/
 theorem increasing_sharp (p : Params) (s : State) (hn : 3 ≤ count s.drones)
@@ -165,9 +165,9 @@ theorem increasing_sharp (p : Params) (s : State) (hn : 3 ≤ count s.drones)
     rw [hm1] at h0
     exact h0
   have hpos : ∀ l i : Nat, i ≤ m + 1 → 0 ≤ errors p s l i :=
-    fun l i hi => errors_all_nonneg p s hn ha (le_of_lt e0) e1 hu l i (by omega)
-  have mpos : (0 : Rat) ≤ (m : Rat) := Nat.cast_nonneg m
-  have mpos1 : (0 : Rat) < (m : Rat) + 1 := by linarith
+    fun l i hi => errors_all_nonneg p s hn ha (Rat.le_of_lt e0) e1 hu l i (by omega)
+  have mpos : (0 : Rat) ≤ (m : Rat) := Rat.natCast_nonneg
+  have mpos1 : (0 : Rat) < (m : Rat) + 1 := by grind
   rw [hm] at hj hd hleast
   have hg : (∀ t : Nat, t < h → errors p s (k + t) 1 + errors p s (k + t) m = 0) ∧
       0 < errors p s (k + h) 1 + errors p s (k + h) m :=
@@ -183,11 +183,11 @@ theorem increasing_sharp (p : Params) (s : State) (hn : 3 ≤ count s.drones)
         * (sum (protocol_step p s (k + t + 1)).drones - sum (protocol_step p s (k + t)).drones)
         = 0 := by
       rw [hi]
-      ring
+      grind
     have hd0 := zero_of_scaled ((m : Rat) + 1)
       (sum (protocol_step p s (k + t + 1)).drones - sum (protocol_step p s (k + t)).drones)
       mpos1 hz2
-    linarith
+    grind
   refine And.intro ?_ ?_
   · intro t
     induction t with
@@ -200,12 +200,12 @@ theorem increasing_sharp (p : Params) (s : State) (hn : 3 ≤ count s.drones)
         ih (by omega)
       exact Eq.trans (hstep t (by omega)) h0
   · have hi := sum_increment p s m hm (by omega) ha (k + h)
-    have hp : 0 < p.eps * (errors p s (k + h) 1 + errors p s (k + h) m) := mul_pos e0 hg.2
+    have hp : 0 < p.eps * (errors p s (k + h) 1 + errors p s (k + h) m) := Rat.mul_pos e0 hg.2
     rw [← hi] at hp
     have hd0 := pos_of_scaled ((m : Rat) + 1)
       (sum (protocol_step p s (k + h + 1)).drones - sum (protocol_step p s (k + h)).drones)
       mpos1 hp
-    linarith
+    grind
 
 /-- 7.6 (ii), sharp and bounded: `ceil((N-2)/2) = (N-1)/2` equal sums are enough. -/
 theorem constant_sum_bounded (p : Params) (s : State) (hn : 3 ≤ count s.drones)
@@ -222,7 +222,7 @@ theorem constant_sum_bounded (p : Params) (s : State) (hn : 3 ≤ count s.drones
     rw [hm1] at h0
     exact h0
   have hpos : ∀ l i : Nat, i ≤ m + 1 → 0 ≤ errors p s l i :=
-    fun l i hi => errors_all_nonneg p s hn ha (le_of_lt e0) e1 hu l i (by omega)
+    fun l i hi => errors_all_nonneg p s hn ha (Rat.le_of_lt e0) e1 hu l i (by omega)
   have hall : ∀ h : Nat, h ≤ (m + 1) / 2 →
       sum (protocol_step p s (k + h)).drones = sum (protocol_step p s k).drones := by
     intro h hh
@@ -241,7 +241,7 @@ theorem constant_sum_bounded (p : Params) (s : State) (hn : 3 ≤ count s.drones
     rw [s0, s1] at hi
     have hz : p.eps * (errors p s (k + h) 1 + errors p s (k + h) m) = 0 := by
       rw [← hi]
-      ring
+      grind
     exact zero_of_scaled p.eps (errors p s (k + h) 1 + errors p s (k + h) m) e0 hz
   have hleft : ∀ h : Nat, h + 1 ≤ (m + 1) / 2 → errors p s k (h + 1) = 0 := by
     intro h hh
@@ -250,9 +250,9 @@ theorem constant_sum_bounded (p : Params) (s : State) (hn : 3 ≤ count s.drones
     have hq := hquiet h hh
     have pm : 0 ≤ errors p s (k + h) m := hpos (k + h) m (by omega)
     have pj : 0 ≤ errors p s k (h + 1) := hpos k (h + 1) (by omega)
-    have pe : 0 < p.eps ^ h := pow_pos e0 h
-    have pp : 0 ≤ p.eps ^ h * errors p s k (h + 1) := mul_nonneg (le_of_lt pe) pj
-    have hz : p.eps ^ h * errors p s k (h + 1) = 0 := by linarith
+    have pe : 0 < p.eps ^ h := Rat.pow_pos e0
+    have pp : 0 ≤ p.eps ^ h * errors p s k (h + 1) := Rat.mul_nonneg (Rat.le_of_lt pe) pj
+    have hz : p.eps ^ h * errors p s k (h + 1) = 0 := by grind
     exact zero_of_scaled (p.eps ^ h) (errors p s k (h + 1)) pe hz
   have hright : ∀ h : Nat, h + 1 ≤ (m + 1) / 2 → errors p s k (m - h) = 0 := by
     intro h hh
@@ -261,9 +261,9 @@ theorem constant_sum_bounded (p : Params) (s : State) (hn : 3 ≤ count s.drones
     have hq := hquiet h hh
     have p1 : 0 ≤ errors p s (k + h) 1 := hpos (k + h) 1 (by omega)
     have pj : 0 ≤ errors p s k (m - h) := hpos k (m - h) (by omega)
-    have pe : 0 < p.eps ^ h := pow_pos e0 h
-    have pp : 0 ≤ p.eps ^ h * errors p s k (m - h) := mul_nonneg (le_of_lt pe) pj
-    have hz : p.eps ^ h * errors p s k (m - h) = 0 := by linarith
+    have pe : 0 < p.eps ^ h := Rat.pow_pos e0
+    have pp : 0 ≤ p.eps ^ h * errors p s k (m - h) := Rat.mul_nonneg (Rat.le_of_lt pe) pj
+    have hz : p.eps ^ h * errors p s k (m - h) = 0 := by grind
     exact zero_of_scaled (p.eps ^ h) (errors p s k (m - h)) pe hz
   intro i hi
   have hck : count (protocol_step p s k).drones = count s.drones := count_step p s k

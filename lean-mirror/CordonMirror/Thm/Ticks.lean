@@ -22,7 +22,8 @@ theorem count_tick (p : Params) (s : State) : count (tick p s).drones = count s.
       congrArg (fun t => count (State.drones t)) (tick_fires p s h)
     exact Eq.trans h1 (count_exec p s)
   · have h1 : count (tick p s).drones = count s.drones :=
-      congrArg (fun t => count (State.drones t)) (tick_waits p s h)
+      congrArg (a₂ := State.mk s.drones (s.timesteps + 1)) (fun t => count (State.drones t))
+        (tick_waits p s h)
     exact h1
 
 theorem count_kth_step (p : Params) (s : State) :
@@ -61,7 +62,8 @@ theorem kth_step_reaches (p : Params) (s : State) (k : Nat) :
           = next_placement p (protocol_step p s j).drones := congrArg (next_placement p) hj
       exact Exists.intro (j + 1) (Eq.trans h1 h2)
     · have h1 : (tick p (kth_step p s k)).drones = (kth_step p s k).drones :=
-        congrArg State.drones (tick_waits p (kth_step p s k) h)
+        congrArg (a₂ := State.mk (kth_step p s k).drones ((kth_step p s k).timesteps + 1))
+          State.drones (tick_waits p (kth_step p s k) h)
       exact Exists.intro j (Eq.trans h1 hj)
 
 /-- 7.2 after every tick. -/

@@ -1,4 +1,5 @@
 import CordonMirror.Thm.Dynamics
+import CordonMirror.Thm.Arithmetic
 
 /-! Theorem 7.3, the reference position upper bound, in its sharp form, its mirror image
 and the box. All four are one statement: a nonnegative affine image of the positions stays
@@ -21,13 +22,13 @@ theorem Weighted.affine {M : Nat} {a x y : Nat → Rat} (h : Weighted M a x y)
       h.inner i hi
     have hb2 : b (i + 2) = 2 * b (i + 1) - b i := by
       have hbi : b i + b (i + 2) = 2 * b (i + 1) := hb i
-      linarith
+      grind
     show b (i + 1) + d * y (i + 1)
       = b (i + 1) + d * x (i + 1)
         + a (i + 1) * (b i + d * x i - 2 * (b (i + 1) + d * x (i + 1))
           + (b (i + 2) + d * x (i + 2)))
     rw [hy, hb2]
-    ring
+    grind
 
 theorem nonneg_weighted (M : Nat) (a x y : Nat → Rat) (hw : Weighted M a x y)
     (ha0 : ∀ i : Nat, 0 < i → i < M → 0 ≤ a i)
@@ -36,7 +37,7 @@ theorem nonneg_weighted (M : Nat) (a x y : Nat → Rat) (hw : Weighted M a x y)
   intro i hi
   by_cases hl : i = M
   · rw [hl, hw.right_end]
-    exact hx M (le_refl M)
+    exact hx M (Nat.le_refl M)
   · by_cases h0 : i = 0
     · rw [h0, hw.left_end]
       exact hx 0 (Nat.zero_le M)
@@ -46,12 +47,12 @@ theorem nonneg_weighted (M : Nat) (a x y : Nat → Rat) (hw : Weighted M a x y)
         hw.inner j (by omega)
       have a0 : 0 ≤ a (j + 1) := ha0 (j + 1) (by omega) (by omega)
       have a1 : 2 * a (j + 1) ≤ 1 := ha1 (j + 1) (by omega) (by omega)
-      have p0 : 0 ≤ a (j + 1) * x j := mul_nonneg a0 (hx j (by omega))
+      have p0 : 0 ≤ a (j + 1) * x j := Rat.mul_nonneg a0 (hx j (by omega))
       have p1 : 0 ≤ (1 - 2 * a (j + 1)) * x (j + 1) :=
-        mul_nonneg (by linarith) (hx (j + 1) (by omega))
-      have p2 : 0 ≤ a (j + 1) * x (j + 2) := mul_nonneg a0 (hx (j + 2) (by omega))
+        Rat.mul_nonneg (by grind) (hx (j + 1) (by omega))
+      have p2 : 0 ≤ a (j + 1) * x (j + 2) := Rat.mul_nonneg a0 (hx (j + 2) (by omega))
       rw [hy]
-      linarith
+      grind
 
 theorem nonneg_run (M : Nat) (e : Rat) (X : Nat → Nat → Rat) (e0 : 0 ≤ e) (e1 : 2 * e ≤ 1)
     (hX : Run M e X) (b : Nat → Rat) (d : Rat)
@@ -73,28 +74,19 @@ theorem nonneg_run (M : Nat) (e : Rat) (X : Nat → Nat → Rat) (e0 : 0 ≤ e) 
 def scaled_line (M : Nat) (lo up : Rat) (i : Nat) : Rat :=
   (M : Rat) * lo + (i : Rat) * (up - lo)
 
-theorem cast_add_one (i : Nat) : ((i + 1 : Nat) : Rat) = (i : Rat) + 1 := Nat.cast_succ i
-
-theorem cast_add_two (i : Nat) : ((i + 2 : Nat) : Rat) = (i : Rat) + 2 := by
-  have h1 : ((i + 1 + 1 : Nat) : Rat) = ((i + 1 : Nat) : Rat) + 1 := cast_add_one (i + 1)
-  have h2 : ((i + 1 : Nat) : Rat) = (i : Rat) + 1 := cast_add_one i
-  have h3 : ((i + 2 : Nat) : Rat) = ((i + 1 : Nat) : Rat) + 1 := h1
-  rw [h3, h2]
-  ring
-
 theorem scaled_line_straight (M : Nat) (lo up : Rat) (i : Nat) :
     scaled_line M lo up i + scaled_line M lo up (i + 2) = 2 * scaled_line M lo up (i + 1) := by
   have h1 : ((i + 1 : Nat) : Rat) = (i : Rat) + 1 := cast_add_one i
   have h2 : ((i + 2 : Nat) : Rat) = (i : Rat) + 2 := cast_add_two i
   unfold scaled_line
   rw [h1, h2]
-  ring
+  grind
 
 theorem scaled_error_eq (lo up : Rat) (x : DroneMap Rat) (i : Nat) :
     scaled_error lo up x i
       = scaled_line (count x - 1) lo up i + (-((count x - 1 : Nat) : Rat)) * get x i := by
   unfold scaled_error scaled_target gaps scaled_line
-  ring
+  grind
 
 /-! ### On the spec -/
 
@@ -132,7 +124,7 @@ theorem lower_bound_sharp (p : Params) (s : State) (hn : 3 ≤ count s.drones)
       = 2 * -scaled_line (count s.drones - 1) p.min p.max (j + 1) := by
     intro j
     have h := scaled_line_straight (count s.drones - 1) p.min p.max j
-    linarith
+    grind
   have h0 : ∀ j : Nat, j ≤ count s.drones - 1 →
       0 ≤ -scaled_line (count s.drones - 1) p.min p.max j
         + ((count s.drones - 1 : Nat) : Rat) * positions p s 0 j := by
@@ -141,7 +133,7 @@ theorem lower_bound_sharp (p : Params) (s : State) (hn : 3 ≤ count s.drones)
     rw [scaled_error_eq] at hj2
     have hp : positions p s 0 j = get s.drones j := rfl
     rw [hp]
-    linarith
+    grind
   rw [hc] at hi
   have hk : 0 ≤ -scaled_line (count s.drones - 1) p.min p.max i
       + ((count s.drones - 1 : Nat) : Rat) * positions p s k i :=
@@ -152,7 +144,7 @@ theorem lower_bound_sharp (p : Params) (s : State) (hn : 3 ≤ count s.drones)
   have hp : positions p s k i = get (protocol_step p s k).drones i := rfl
   rw [hp] at hk
   rw [scaled_error_eq, hc]
-  linarith
+  grind
 
 /-- The box. -/
 theorem box_sharp (p : Params) (s : State) (hn : 3 ≤ count s.drones)
@@ -167,26 +159,26 @@ theorem box_sharp (p : Params) (s : State) (hn : 3 ≤ count s.drones)
       (positions_run p s hn ha) (fun _ => -p.min) 1 ?_ ?_ k i (by omega)
     · intro j
       show -p.min + -p.min = 2 * -p.min
-      ring
+      grind
     · intro j hj
       have hj2 : p.min ≤ get s.drones j := (hb j (by omega)).1
       have hp0 : positions p s 0 j = get s.drones j := rfl
       show 0 ≤ -p.min + 1 * positions p s 0 j
       rw [hp0]
-      linarith
+      grind
   have hup : 0 ≤ p.max + (-1) * positions p s k i := by
     refine nonneg_run (count s.drones - 1) p.eps (positions p s) e0 e1
       (positions_run p s hn ha) (fun _ => p.max) (-1) ?_ ?_ k i (by omega)
     · intro j
       show p.max + p.max = 2 * p.max
-      ring
+      grind
     · intro j hj
       have hj2 : get s.drones j ≤ p.max := (hb j (by omega)).2
       have hp0 : positions p s 0 j = get s.drones j := rfl
       show 0 ≤ p.max + (-1) * positions p s 0 j
       rw [hp0]
-      linarith
+      grind
   rw [hp] at hlo hup
-  exact And.intro (by linarith) (by linarith)
+  exact And.intro (by grind) (by grind)
 
 end CordonMirror

@@ -24,11 +24,14 @@ import CordonMirror.Thm.SumGrowth
 import CordonMirror.Thm.Exact
 import CordonMirror.Thm.Limit
 import CordonMirror.Thm.LimitHalf
+import CordonMirror.Thm.Critical
+import CordonMirror.Thm.LimitSharp
 import CordonMirror.Thm.Ticks
 import CordonMirror.Thm.Paper
 import CordonMirror.Thm.Projection
 import CordonMirror.Thm.Activation
 import CordonMirror.Thm.Bounds
+import CordonMirror.Thm.LimitDelayed
 import CordonMirror.Thm.Consensus
-import CordonMirror.Open
+import CordonMirror.Listed
 import CordonMirror.Vectors

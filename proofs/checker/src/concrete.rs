@@ -40,12 +40,18 @@ pub type Rows = Vec<BTreeMap<usize, Rational>>;
 ///
 /// The targets are a fixed point: x' = A x + b with T = A T + b gives T - x' = A (T - x). That
 /// is checked here too.
-fn errors(rule: &'static str, drones: u32, eps: &Number, vector: &[Number]) -> Result<Rows, Fault> {
+fn errors(
+    rule: &'static str,
+    drones: u32,
+    numbers: [&Number; 2],
+    vector: &[Number],
+) -> Result<Rows, Fault> {
     let fault = |reason: String| Fault { rule, reason };
     if !(3..=MAX_DRONES).contains(&drones) {
         return Err(fault(format!("{drones} drones: expected 3 to {MAX_DRONES}")));
     }
-    let digits = vector.iter().map(Number::size).fold(eps.size(), u64::max);
+    let [eps, _] = numbers;
+    let digits = vector.iter().chain(numbers).map(Number::size).fold(1, u64::max);
     if u64::from(drones).saturating_mul(digits * digits) > MAX_VECTOR_WORK {
         return Err(fault("the numbers are too long for so many drones".into()));
     }
@@ -105,7 +111,7 @@ pub fn contraction(cert: &ContractionCert) -> Result<String, Fault> {
     const RULE: &str = "contraction";
     let fault = |reason: String| Fault { rule: RULE, reason };
     let (rate, w) = (&cert.rate.0, &cert.vector);
-    let rows = errors(RULE, cert.drones, &cert.eps, &cert.vector)?;
+    let rows = errors(RULE, cert.drones, [&cert.eps, &cert.rate], &cert.vector)?;
     positive_vector(RULE, w, rows.len())?;
     if rate.is_negative() || *rate >= Rational::from_integer(1.into()) {
         return Err(fault("the rate is not in [0, 1)".into()));
@@ -126,7 +132,7 @@ pub fn contraction(cert: &ContractionCert) -> Result<String, Fault> {
 pub fn growth(cert: &GrowthCert) -> Result<String, Fault> {
     const RULE: &str = "growth";
     let fault = |reason: String| Fault { rule: RULE, reason };
-    let (rows, w) = (errors(RULE, cert.drones, &cert.eps, &cert.vector)?, &cert.vector);
+    let (rows, w) = (errors(RULE, cert.drones, [&cert.eps; 2], &cert.vector)?, &cert.vector);
     positive_vector(RULE, w, rows.len())?;
     for (i, row) in rows.iter().enumerate() {
         if absolute(row, w) < w[i].0 {
@@ -169,13 +175,24 @@ pub fn refutation(cert: &RefutationCert) -> Result<String, Fault> {
     let theorem = theorem_named(&cert.theorem)
         .ok_or_else(|| fault(format!("no theorem `{}`", cert.theorem)))?;
     let form = form_named(&cert.form).ok_or_else(|| fault(format!("no form `{}`", cert.form)))?;
+    // Their finite conclusions say what the theorem says of full steps without delay only: the
+    // energy stands for the limit, and a span of steps for all later ones, of one linear map.
+    let finite = [Theorem::Limit, Theorem::ConstantSum, Theorem::GloballyIncreasing];
+    if (cert.activation.is_some() || cert.delay.is_some()) && finite.contains(&theorem) {
+        let number = &cert.theorem;
+        return Err(fault(format!("a run of other steps decides nothing about {number}")));
+    }
     let (count, step) = (cert.start.len(), cert.step as usize);
     if !(3..=MAX_RUN).contains(&count) || step > MAX_RUN {
         return Err(fault(format!("expected 3 to {MAX_RUN} drones and at most {MAX_RUN} steps")));
     }
     let steps = step + theorem.span(form, count);
     let numbers = cert.start.iter().chain([&cert.min, &cert.max, &cert.eps]);
-    let digits = numbers.map(Number::size).sum::<u64>().saturating_mul(steps as u64 + 1);
+    let mut digits = numbers.map(Number::size).sum::<u64>().saturating_mul(steps as u64 + 1);
+    if theorem == Theorem::Limit {
+        // The minors that decide on the weight grow by the digits of eps, drone by drone.
+        digits = digits.saturating_add(cert.eps.size().saturating_mul(count as u64));
+    }
     if digits.saturating_mul(digits).saturating_mul((count * (steps + 1)) as u64) > MAX_WORK {
         return Err(fault("the run is too long for its numbers".into()));
     }

@@ -6,7 +6,8 @@ use std::fmt;
 use num_bigint::BigInt;
 use num_traits::Zero;
 use serde::Deserialize;
-use serde::de::{Deserializer, Error, Visitor};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserializer, Error, MapAccess, Visitor};
 
 use crate::poly::{Poly, Rational, Var};
 
@@ -86,9 +87,47 @@ fn present<'de, D: Deserializer<'de>, T: Deserialize<'de>>(d: D) -> Result<Optio
     T::deserialize(d).map(Some)
 }
 
+/// Structs are read from objects alone; what `Deserialize` derives takes positional arrays too.
+macro_rules! objects {
+    ($($t:ty),*) => {$(
+        impl<'de> Deserialize<'de> for $t {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                struct Object;
+                impl<'de> Visitor<'de> for Object {
+                    type Value = $t;
+                    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                        f.write_str("an object")
+                    }
+                    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<$t, A::Error> {
+                        <$t>::deserialize(MapAccessDeserializer::new(map))
+                    }
+                }
+                deserializer.deserialize_map(Object)
+            }
+        }
+    )*};
+}
+
+objects!(
+    Term,
+    Proof,
+    Discharge,
+    Datum,
+    Interval,
+    TheoremCert,
+    ExactnessCert,
+    ContractionCert,
+    GrowthCert,
+    ViolationName,
+    RefutationCert,
+    HalfSpace,
+    InvarianceCert,
+    File
+);
+
 /// `c` times a product: of facts in a proof, of indeterminates in a polynomial.
 #[derive(Deserialize, Clone, Debug)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct Term {
     /// The coefficient, not zero.
     pub c: Number,
@@ -98,7 +137,7 @@ pub struct Term {
 
 /// One step of a proof. Which fields a rule reads is said at the rule; the others are absent.
 #[derive(Deserialize, Clone, Debug)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct Proof {
     /// Name of the rule.
     pub rule: String,
@@ -118,7 +157,7 @@ pub struct Proof {
 
 /// The proof of one obligation.
 #[derive(Deserialize, Clone, Debug)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct Discharge {
     /// Its name, as the checker derives it.
     pub obligation: String,
@@ -128,7 +167,7 @@ pub struct Discharge {
 
 /// A polynomial that the search has to invent: the primitive of a sum.
 #[derive(Deserialize, Clone, Debug)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct Datum {
     /// `targets` or `flux`.
     pub name: String,
@@ -138,7 +177,7 @@ pub struct Datum {
 
 /// An interval of weights, ends included.
 #[derive(Deserialize, Clone, Debug)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct Interval {
     /// Lower end.
     pub from: Number,
@@ -148,7 +187,7 @@ pub struct Interval {
 
 /// Kind `theorem`: a claim for every step, every real weight in a range and every N, or one N.
 #[derive(Deserialize, Clone, Debug)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct TheoremCert {
     /// A theorem's number or the name of an extension.
     pub claim: String,
@@ -169,8 +208,7 @@ pub struct TheoremCert {
 }
 
 /// What a violated conclusion is about.
-#[derive(Deserialize, Clone, Copy, Debug)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug)]
 pub enum SubjectName {
     /// Drones i and i+1.
     Pair(usize),
@@ -182,10 +220,41 @@ pub enum SubjectName {
     Energy,
 }
 
+impl<'de> Deserialize<'de> for SubjectName {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Subject;
+        impl<'de> Visitor<'de> for Subject {
+            type Value = SubjectName;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("{\"pair\": i}, {\"drone\": i}, \"sum\" or \"energy\"")
+            }
+            fn visit_str<E: Error>(self, word: &str) -> Result<SubjectName, E> {
+                match word {
+                    "sum" => Ok(SubjectName::Sum),
+                    "energy" => Ok(SubjectName::Energy),
+                    _ => Err(E::unknown_variant(word, &["sum", "energy"])),
+                }
+            }
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<SubjectName, A::Error> {
+                let subject = match map.next_entry::<String, usize>()? {
+                    Some((key, i)) if key == "pair" => SubjectName::Pair(i),
+                    Some((key, i)) if key == "drone" => SubjectName::Drone(i),
+                    _ => return Err(A::Error::custom("expected `pair` or `drone`")),
+                };
+                match map.next_key::<String>()? {
+                    None => Ok(subject),
+                    Some(key) => Err(A::Error::custom(format!("unknown field `{key}`"))),
+                }
+            }
+        }
+        deserializer.deserialize_any(Subject)
+    }
+}
+
 /// Kind `exactness`: for every eps above a bound and every N from some N on, a start (its
 /// positions polynomials in eps, last and i) that violates the conclusion at step 1.
 #[derive(Deserialize, Clone, Debug)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct ExactnessCert {
     /// The theorem's number: 7.2 or 7.3.
     pub theorem: String,
@@ -209,7 +278,7 @@ pub struct ExactnessCert {
 
 /// Kind `contraction`.
 #[derive(Deserialize, Clone, Debug)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct ContractionCert {
     /// N.
     pub drones: u32,
@@ -223,7 +292,7 @@ pub struct ContractionCert {
 
 /// Kind `growth`.
 #[derive(Deserialize, Clone, Debug)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct GrowthCert {
     /// N.
     pub drones: u32,
@@ -235,15 +304,20 @@ pub struct GrowthCert {
 
 /// Exemption of the weight from a theorem's hypothesis.
 #[derive(Deserialize, Clone, Copy, Debug)]
-#[serde(rename_all = "kebab-case")]
-pub enum AnyWeight {
-    /// Any weight.
-    Any,
+#[serde(try_from = "String")]
+pub struct AnyWeight;
+
+impl TryFrom<String> for AnyWeight {
+    type Error = String;
+
+    fn try_from(word: String) -> Result<Self, String> {
+        if word == "any" { Ok(Self) } else { Err(format!("`{word}`: expected `any`")) }
+    }
 }
 
 /// What a conclusion answers on a run.
 #[derive(Deserialize, Clone, Debug)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct ViolationName {
     /// Placement, counted from the first that the conclusion reads.
     pub step: usize,
@@ -253,7 +327,7 @@ pub struct ViolationName {
 
 /// Kind `refutation`.
 #[derive(Deserialize, Clone, Debug)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct RefutationCert {
     /// The theorem's number.
     pub theorem: String,
@@ -284,7 +358,7 @@ pub struct RefutationCert {
 
 /// A half-space.
 #[derive(Deserialize, Clone, Debug)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct HalfSpace {
     /// Its normal.
     pub normal: Vec<Number>,
@@ -296,7 +370,7 @@ pub struct HalfSpace {
 
 /// Kind `invariance`.
 #[derive(Deserialize, Clone, Debug)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct InvarianceCert {
     /// Linear part of the protocol, row by row.
     pub matrix: Vec<Vec<Number>>,
@@ -327,7 +401,7 @@ pub enum Certificate {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Self", deny_unknown_fields)]
 struct File {
     schema: String,
     certificate: Certificate,

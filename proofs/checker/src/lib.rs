@@ -146,6 +146,9 @@ fn theorem(cert: &TheoremCert) -> Verdict {
     if names.iter().collect::<BTreeSet<_>>().len() < names.len() {
         return invalid("a datum is given twice".into());
     }
+    if let Some(n) = cert.drones.filter(|&n| n < 3) {
+        return invalid(format!("{n} drones: expected 3 or more"));
+    }
     let weights = match &cert.weights {
         None => Weights::Range(claim.weights(form)),
         Some(i) if i.from.0 <= i.to.0 => Weights::Interval(i.from.0.clone(), i.to.0.clone()),
@@ -165,7 +168,7 @@ fn theorem(cert: &TheoremCert) -> Verdict {
 /// Kind `exactness`.
 fn exactness(cert: &ExactnessCert) -> Verdict {
     let text = format!(
-        "{} is exact: for every N >= {} and eps > {} some start of its start set violates it at step 1",
+        "{} fails for every N >= {} and every eps > {}: some start of its start set violates it at step 1",
         cert.theorem, cert.drones_from, cert.above.0
     );
     discharge(&cert.theorem, "exactness", text, exactness::obligations(cert), &cert.proofs)

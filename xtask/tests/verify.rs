@@ -270,8 +270,9 @@ fn committed_certificates_prove_every_theorem_and_tampered_ones_none() {
     }
     assert_eq!(page["tiers"][0]["problems"], serde_json::json!([]));
 
-    let read =
-        |name: &str| std::fs::read_to_string(common::root().join("proofs/certificates").join(name)).unwrap();
+    let read = |name: &str| {
+        std::fs::read_to_string(common::root().join("proofs/certificates").join(name)).unwrap()
+    };
     let repo = Repository::new();
     // The paper's form, or the sharp form of one N, is not the theorem.
     repo.write("proofs/certificates/a.json", &read("7.2-paper.json"));

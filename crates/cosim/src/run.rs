@@ -2,10 +2,11 @@
 
 use super::collision::{Sample, Watch};
 use super::coordination::Slot;
+use super::cosimulation::Cosimulation;
 use super::physics::Body;
 use super::plant::{Integrator, var};
 use super::record::Record;
-use super::swarm::Swarm;
+use super::seat::Seat;
 use super::wiring::Port;
 use cordon_core::{Error, Result};
 
@@ -17,7 +18,7 @@ const MAX_NUMBERS: u128 = 1 << 26;
 /// # Errors
 /// The swarm cannot be wired, a unit fails or sends a number that is not finite, or the
 /// record would be too large.
-pub fn run(swarm: &Swarm, mut progress: impl FnMut(u64)) -> Result<Record> {
+pub fn run(swarm: &Cosimulation, mut progress: impl FnMut(u64)) -> Result<Record> {
     let count = swarm.count();
     let rows = u128::from(swarm.grid.steps()) + 1;
     if rows * count as u128 * 2 > MAX_NUMBERS {
@@ -47,7 +48,7 @@ pub fn run(swarm: &Swarm, mut progress: impl FnMut(u64)) -> Result<Record> {
         let last = record.times.last().copied().unwrap_or_default();
         for (i, (sample, desired)) in samples.iter_mut().zip(&desired).enumerate() {
             record.desired.push(master.number(*desired, step)?);
-            let plant = |variable| Port { unit: 3 * i + 2, variable };
+            let plant = |variable| Port { unit: Seat::plant(i).place(), variable };
             let number = |variable| master.number(plant(variable), step);
             sample.x = number(var::X)?;
             // Euler's motion is a straight line between the positions.

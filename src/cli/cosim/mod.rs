@@ -11,10 +11,10 @@ use crate::cli::choice::{Choice, choice};
 use crate::cli::scenario_args::ScenarioArgs;
 use cordon_core::exact;
 use cordon_core::{Error, Outcome, Result};
+use cordon_cosim::cosimulation::Cosimulation;
 use cordon_cosim::fmi::import::substitute;
 use cordon_cosim::record::Record;
 use cordon_cosim::store::{self, Format};
-use cordon_cosim::swarm::Swarm;
 use cordon_cosim::{exact_run, run as engine};
 use cordon_run::scenario::Flight;
 
@@ -96,7 +96,7 @@ impl FlightArgs {
     ///
     /// # Errors
     /// The scenario cannot be read, or a field is wrong.
-    pub(in crate::cli) fn swarm(&self, scenario: &ScenarioArgs) -> Result<Swarm> {
+    pub(in crate::cli) fn swarm(&self, scenario: &ScenarioArgs) -> Result<Cosimulation> {
         let (checked, flight) = scenario.scenario_and_flight()?;
         let flags = Flight {
             duration: self.duration.as_deref().map(|t| exact::parse("duration", t)).transpose()?,
@@ -106,7 +106,7 @@ impl FlightArgs {
             seed: self.seed,
             ..Flight::default()
         };
-        let mut swarm = scenario.in_file(Swarm::new(checked, flight.replaced_by(flags)))?;
+        let mut swarm = scenario.in_file(Cosimulation::new(checked, flight.replaced_by(flags)))?;
         swarm.load = substitute;
         match self.compat {
             Some(Compat::Recorded) => swarm.as_recorded(),
@@ -153,7 +153,7 @@ fn eprint_all(text: &[u8]) {
     let _ = std::io::stderr().write_all(text);
 }
 
-fn flown(swarm: &Swarm, progress: bool) -> Result<Record> {
+fn flown(swarm: &Cosimulation, progress: bool) -> Result<Record> {
     if !progress {
         return engine::run(swarm, |_| {});
     }

@@ -19,7 +19,7 @@ use cordon_core::Error;
 use cordon_core::Result;
 use cordon_run::scenario::Substitute;
 
-/// An FMU in the place of a unit: the [`Loader`](crate::swarm::Loader) of this program.
+/// An FMU in the place of a unit: the [`Loader`](crate::cosimulation::Loader) of this program.
 ///
 /// # Errors
 /// The FMU cannot be read, is for another platform, or lacks a variable of the unit; or this

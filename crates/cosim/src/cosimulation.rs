@@ -1,5 +1,8 @@
 //! A swarm at the user's level, turned into 3 N units and their connections.
 
+use std::fmt;
+use std::sync::Arc;
+
 use cordon_spec::graph::Graph;
 use num_traits::Signed;
 
@@ -9,7 +12,7 @@ use super::faults;
 use super::grid::Grid;
 use super::master::{Algorithm, Master};
 use super::plant::{self, Integrator, Plant};
-use super::record::Setup;
+use super::record::{Flown, Setup};
 use super::seat::Seat;
 use super::unit::{Unit, UnitError, Value};
 use super::wiring::{Port, Timing, Wiring};
@@ -53,7 +56,25 @@ pub struct Cosimulation {
 }
 
 /// Loads an FMU in the place of a unit: the answer has the unit's name and variables.
-pub type Loader = fn(&Substitute, Box<dyn Unit>) -> Result<Box<dyn Unit>>;
+#[derive(Clone)]
+pub struct Loader(Arc<Load>);
+
+type Load = dyn Fn(&Substitute, Box<dyn Unit>) -> Result<Box<dyn Unit>> + Send + Sync;
+
+impl Loader {
+    /// A loader.
+    pub fn new(
+        load: impl Fn(&Substitute, Box<dyn Unit>) -> Result<Box<dyn Unit>> + Send + Sync + 'static,
+    ) -> Self {
+        Self(Arc::new(load))
+    }
+}
+
+impl fmt::Debug for Loader {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Loader")
+    }
+}
 
 /// Where nothing can load FMUs.
 fn no_loader(substitute: &Substitute, unit: Box<dyn Unit>) -> Result<Box<dyn Unit>> {
@@ -129,7 +150,7 @@ impl Cosimulation {
             })?,
             faults: flight.faults,
             units: flight.units,
-            load: no_loader,
+            load: Loader::new(no_loader),
             seed: flight.seed.unwrap_or_default(),
             recorded: false,
             scenario,
@@ -264,7 +285,7 @@ impl Cosimulation {
                 )));
             }
             let seat = Seat { drone: substitute.drone, unit: substitute.unit };
-            wiring.substitute(seat.place(), |unit| (self.load)(substitute, unit))?;
+            wiring.substitute(seat.place(), |unit| (self.load.0)(substitute, unit))?;
         }
         Ok(wiring)
     }
@@ -360,8 +381,16 @@ impl Cosimulation {
             tau: self.grid.tau().clone(),
             integrator: self.integrator.name().to_owned(),
             master: self.algorithm.name().to_owned(),
+            recorded: self.recorded,
+            fmus: self.units.iter().map(flown).collect(),
         }
     }
+}
+
+fn flown(substitute: &Substitute) -> Flown {
+    let seat = Seat { drone: substitute.drone, unit: substitute.unit };
+    let file = substitute.fmu.file_name().unwrap_or(substitute.fmu.as_os_str());
+    Flown { unit: seat.name(), fmu: file.to_string_lossy().into_owned() }
 }
 
 fn port(unit: &Coordination, drone: usize, slot: Slot) -> Result<Port> {

@@ -7,6 +7,7 @@
 mod body_variables;
 pub mod control;
 pub mod coordination;
+mod fingerprint;
 pub mod fmi;
 pub mod grid;
 pub mod physics;

@@ -2,7 +2,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use cordon_core::Rational;
-use cordon_cosim::swarm::Swarm;
+use cordon_cosim::cosimulation::Cosimulation;
 use cordon_cosim::{exact_run, run};
 use cordon_run::scenario::{Draft, Flight, Start};
 use divan::{Bencher, black_box};
@@ -15,7 +15,7 @@ fn fraction(num: i64, den: i64) -> Rational {
     Rational::new(num.into(), den.into())
 }
 
-fn swarm(drones: usize, seconds: i64, integrator: &str) -> Swarm {
+fn swarm(drones: usize, seconds: i64, integrator: &str) -> Cosimulation {
     let draft = Draft {
         drones: Some(drones),
         start: Some(Start::SpreadTo(fraction(40, 1))),
@@ -30,7 +30,7 @@ fn swarm(drones: usize, seconds: i64, integrator: &str) -> Swarm {
         integrator: Some(integrator.to_owned()),
         ..Flight::default()
     };
-    Swarm::new(draft.finish().unwrap(), flight).unwrap()
+    Cosimulation::new(draft.finish().unwrap(), flight).unwrap()
 }
 
 /// 15 units, 501 grid points. Wanted: under 5 ms.

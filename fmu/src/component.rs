@@ -3,7 +3,7 @@
 use std::ffi::{CStr, CString, c_char, c_uint, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use cordon_cosim::fmi::slave::{Fault, Severity, Slave};
+use cordon_cosim::fmi::slave::{Refusal, Severity, Slave};
 use cordon_cosim::fmi::snapshot::Snapshot;
 use cordon_cosim::unit::Value;
 
@@ -43,17 +43,17 @@ pub struct Component<L> {
 }
 
 impl<L: Log> Component<L> {
-    /// Logs a fault; its status.
-    fn report(&self, fault: &Fault) -> Status {
-        let status = status_of(fault);
-        self.log.log(&self.name, status, &c_text(&fault.message));
+    /// Logs a refusal; its status.
+    fn report(&self, refusal: &Refusal) -> Status {
+        let status = status_of(refusal);
+        self.log.log(&self.name, status, &c_text(&refusal.message));
         status
     }
 }
 
-/// The status that a fault becomes.
-pub fn status_of(fault: &Fault) -> Status {
-    match fault.severity {
+/// The status that a refusal becomes.
+pub fn status_of(refusal: &Refusal) -> Status {
+    match refusal.severity {
         Severity::Error => Status::Error,
         Severity::Fatal => Status::Fatal,
     }
@@ -81,7 +81,7 @@ pub unsafe fn free<L>(instance: *mut c_void) {
     }
 }
 
-/// Runs `body` on an instance: faults go to its log and become a status, a panic makes the
+/// Runs `body` on an instance: refusals go to its log and become a status, a panic makes the
 /// instance fatal.
 ///
 /// # Safety
@@ -89,7 +89,7 @@ pub unsafe fn free<L>(instance: *mut c_void) {
 /// this thread alone during the call.
 pub unsafe fn with<L: Log>(
     instance: *mut c_void,
-    body: impl FnOnce(&mut Component<L>) -> Result<(), Fault>,
+    body: impl FnOnce(&mut Component<L>) -> Result<(), Refusal>,
 ) -> Status {
     // SAFETY: the caller vouches for it.
     let Some(component) = (unsafe { instance.cast::<Component<L>>().as_mut() }) else {
@@ -98,10 +98,11 @@ pub unsafe fn with<L: Log>(
     let ended = catch_unwind(AssertUnwindSafe(|| body(component)));
     match ended {
         Ok(Ok(())) => Status::Ok,
-        Ok(Err(fault)) => component.report(&fault),
+        Ok(Err(refusal)) => component.report(&refusal),
         Err(_) => {
             component.slave.give_up();
-            component.report(&Fault::fatal("internal fault: the instance cannot be used any more"))
+            component
+                .report(&Refusal::fatal("internal fault: the instance cannot be used any more"))
         }
     }
 }
@@ -110,7 +111,7 @@ pub unsafe fn with<L: Log>(
 ///
 /// # Safety
 /// `state` is null or points to null or to a snapshot made here and not freed.
-pub unsafe fn save<L>(c: &Component<L>, state: *mut *mut c_void) -> Result<(), Fault> {
+pub unsafe fn save<L>(c: &Component<L>, state: *mut *mut c_void) -> Result<(), Refusal> {
     // SAFETY: the caller vouches for it.
     let state = unsafe { convert::place(state) }?;
     let snapshot = c.slave.save()?;
@@ -126,17 +127,17 @@ pub unsafe fn save<L>(c: &Component<L>, state: *mut *mut c_void) -> Result<(), F
 ///
 /// # Safety
 /// `state` is null or a snapshot made here and not freed during `'a`.
-pub unsafe fn snapshot<'a>(state: *mut c_void) -> Result<&'a Snapshot, Fault> {
+pub unsafe fn snapshot<'a>(state: *mut c_void) -> Result<&'a Snapshot, Refusal> {
     // SAFETY: the caller vouches for it.
     unsafe { state.cast::<Snapshot>().as_ref() }
-        .ok_or_else(|| Fault::error("the importer passed a null pointer for a state"))
+        .ok_or_else(|| Refusal::error("the importer passed a null pointer for a state"))
 }
 
 /// Frees the snapshot at `*state` and leaves null there.
 ///
 /// # Safety
 /// `state` is null or points to null or to a snapshot made here and not freed.
-pub unsafe fn free_snapshot(state: *mut *mut c_void) -> Result<(), Fault> {
+pub unsafe fn free_snapshot(state: *mut *mut c_void) -> Result<(), Refusal> {
     // SAFETY: the caller vouches for it.
     let state = unsafe { convert::place(state) }?;
     if !state.is_null() {
@@ -151,7 +152,7 @@ pub unsafe fn free_snapshot(state: *mut *mut c_void) -> Result<(), Fault> {
 ///
 /// # Safety
 /// `state` as for [`snapshot`]; at `bytes` there is room for `size` bytes.
-pub unsafe fn serialize(state: *mut c_void, bytes: *mut u8, size: usize) -> Result<(), Fault> {
+pub unsafe fn serialize(state: *mut c_void, bytes: *mut u8, size: usize) -> Result<(), Refusal> {
     // SAFETY: the caller vouches for it.
     let snapshot = unsafe { snapshot(state) }?;
     // SAFETY: the caller vouches for it.
@@ -162,7 +163,7 @@ pub unsafe fn serialize(state: *mut c_void, bytes: *mut u8, size: usize) -> Resu
             room.copy_from_slice(&written);
             Ok(())
         }
-        None => Err(Fault::error(format!(
+        None => Err(Refusal::error(format!(
             "a serialised state needs {} bytes: the importer gave room for {size}",
             written.len()
         ))),
@@ -178,7 +179,7 @@ pub unsafe fn deserialize<L>(
     bytes: *const u8,
     size: usize,
     state: *mut *mut c_void,
-) -> Result<(), Fault> {
+) -> Result<(), Refusal> {
     // SAFETY: the caller vouches for it.
     let bytes = unsafe { convert::slice(bytes, size) }?;
     // SAFETY: the caller vouches for it.
@@ -192,7 +193,7 @@ pub unsafe fn deserialize<L>(
 ///
 /// # Safety
 /// `state` as for [`snapshot`]; `size` is null or can be written.
-pub unsafe fn serialized_size(state: *mut c_void, size: *mut usize) -> Result<(), Fault> {
+pub unsafe fn serialized_size(state: *mut c_void, size: *mut usize) -> Result<(), Refusal> {
     // SAFETY: the caller vouches for it.
     let size = unsafe { convert::place(size) }?;
     // SAFETY: the caller vouches for it.
@@ -209,7 +210,7 @@ pub unsafe fn get_texts<L>(
     references: *const c_uint,
     values: *mut *const c_char,
     count: usize,
-) -> Result<(), Fault> {
+) -> Result<(), Refusal> {
     // SAFETY: the caller vouches for it.
     let references = unsafe { convert::slice(references, count) }?;
     // SAFETY: the caller vouches for it.
@@ -231,7 +232,7 @@ pub unsafe fn set_texts<L>(
     references: *const c_uint,
     values: *const *const c_char,
     count: usize,
-) -> Result<(), Fault> {
+) -> Result<(), Refusal> {
     // SAFETY: the caller vouches for it.
     let references = unsafe { convert::slice(references, count) }?;
     // SAFETY: the caller vouches for it.
@@ -251,13 +252,13 @@ pub unsafe fn set_texts<L>(
 pub unsafe fn known_categories(
     categories: *const *const c_char,
     count: usize,
-) -> Result<(), Fault> {
+) -> Result<(), Refusal> {
     // SAFETY: the caller vouches for it.
     for category in unsafe { convert::slice(categories, count) }? {
         // SAFETY: the caller vouches for it.
         let category = unsafe { convert::text(*category) }?;
         if category.as_bytes() != LOG_CATEGORY.to_bytes() {
-            return Err(Fault::error(format!(
+            return Err(Refusal::error(format!(
                 "log category `{category}`: expected `logStatusError`, the only one"
             )));
         }

@@ -2,16 +2,16 @@
 
 use std::ffi::{CStr, c_char};
 
-use cordon_cosim::fmi::slave::Fault;
+use cordon_cosim::fmi::slave::Refusal;
 
 /// `count` elements at `first`; an empty array may be null.
 ///
 /// # Safety
 /// Where `count > 0` and `first` is not null, so many elements live there, unchanged, for `'a`.
-pub unsafe fn slice<'a, T>(first: *const T, count: usize) -> Result<&'a [T], Fault> {
+pub unsafe fn slice<'a, T>(first: *const T, count: usize) -> Result<&'a [T], Refusal> {
     match (first.is_null(), count) {
         (_, 0) => Ok(&[]),
-        (true, _) => Err(Fault::error("the importer passed a null pointer for an array")),
+        (true, _) => Err(Refusal::error("the importer passed a null pointer for an array")),
         // SAFETY: not null, and the caller vouches for the rest.
         (false, _) => Ok(unsafe { std::slice::from_raw_parts(first, count) }),
     }
@@ -21,10 +21,10 @@ pub unsafe fn slice<'a, T>(first: *const T, count: usize) -> Result<&'a [T], Fau
 ///
 /// # Safety
 /// As for [`slice`], and nobody else reads or writes them during `'a`.
-pub unsafe fn slice_mut<'a, T>(first: *mut T, count: usize) -> Result<&'a mut [T], Fault> {
+pub unsafe fn slice_mut<'a, T>(first: *mut T, count: usize) -> Result<&'a mut [T], Refusal> {
     match (first.is_null(), count) {
         (_, 0) => Ok(&mut []),
-        (true, _) => Err(Fault::error("the importer passed a null pointer for an array")),
+        (true, _) => Err(Refusal::error("the importer passed a null pointer for an array")),
         // SAFETY: not null, and the caller vouches for the rest.
         (false, _) => Ok(unsafe { std::slice::from_raw_parts_mut(first, count) }),
     }
@@ -34,21 +34,21 @@ pub unsafe fn slice_mut<'a, T>(first: *mut T, count: usize) -> Result<&'a mut [T
 ///
 /// # Safety
 /// `out` is null or points to a value that nobody else reads or writes during `'a`.
-pub unsafe fn place<'a, T>(out: *mut T) -> Result<&'a mut T, Fault> {
+pub unsafe fn place<'a, T>(out: *mut T) -> Result<&'a mut T, Refusal> {
     // SAFETY: the caller vouches for it.
     unsafe { out.as_mut() }
-        .ok_or_else(|| Fault::error("the importer passed a null pointer for a result"))
+        .ok_or_else(|| Refusal::error("the importer passed a null pointer for a result"))
 }
 
 /// The text at `text`.
 ///
 /// # Safety
 /// `text` is null or points to a string that ends in a zero byte and stays unchanged for `'a`.
-pub unsafe fn text<'a>(text: *const c_char) -> Result<&'a str, Fault> {
+pub unsafe fn text<'a>(text: *const c_char) -> Result<&'a str, Refusal> {
     if text.is_null() {
-        return Err(Fault::error("the importer passed a null pointer for a text"));
+        return Err(Refusal::error("the importer passed a null pointer for a text"));
     }
     // SAFETY: not null, and the caller vouches for the rest.
     let bytes = unsafe { CStr::from_ptr(text) };
-    bytes.to_str().map_err(|_| Fault::error("the importer passed a text that is no UTF-8"))
+    bytes.to_str().map_err(|_| Refusal::error("the importer passed a text that is no UTF-8"))
 }

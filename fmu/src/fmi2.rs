@@ -4,7 +4,7 @@ use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use cordon_cosim::fmi::interface::FmiVersion;
-use cordon_cosim::fmi::slave::{Fault, Slave};
+use cordon_cosim::fmi::slave::{Refusal, Slave};
 use cordon_cosim::unit::Value;
 
 use crate::component::{self, Component, LOG_CATEGORY, Log, Status};
@@ -61,7 +61,7 @@ impl Log for Log2 {
 /// As for [`component::with`].
 unsafe fn with(
     c: Instance,
-    body: impl FnOnce(&mut Component<Log2>) -> Result<(), Fault>,
+    body: impl FnOnce(&mut Component<Log2>) -> Result<(), Refusal>,
 ) -> Status {
     // SAFETY: the caller vouches for it.
     unsafe { component::with(c, body) }
@@ -99,26 +99,27 @@ pub unsafe extern "C" fn fmi2Instantiate(
         None => Log2 { logger: None, environment: std::ptr::null_mut() },
     };
     // SAFETY: the caller vouches for it.
-    let texts = || unsafe { Ok::<_, Fault>((convert::text(instance_name)?, convert::text(guid)?)) };
+    let texts =
+        || unsafe { Ok::<_, Refusal>((convert::text(instance_name)?, convert::text(guid)?)) };
     let made = catch_unwind(AssertUnwindSafe(|| {
         let (name, guid) = texts()?;
         match fmu_type {
             CO_SIMULATION => Ok((name, Slave::instantiate(FmiVersion::V2, name, guid)?)),
-            _ => Err(Fault::error("this FMU is for co-simulation, not for model exchange")),
+            _ => Err(Refusal::error("this FMU is for co-simulation, not for model exchange")),
         }
     }));
-    let fault = match made {
+    let refusal = match made {
         Ok(Ok((name, slave))) => {
             let name = component::c_text(name);
             return component::hand_out(Component { name, slave, log, texts: Vec::new() });
         }
-        Ok(Err(fault)) => fault,
-        Err(_) => Fault::fatal("internal fault: no instance was made"),
+        Ok(Err(refusal)) => refusal,
+        Err(_) => Refusal::fatal("internal fault: no instance was made"),
     };
     // SAFETY: the caller vouches for it.
     let name = unsafe { convert::text(instance_name) }.unwrap_or("unnamed");
-    let status = component::status_of(&fault);
-    log.log(&component::c_text(name), status, &component::c_text(&fault.message));
+    let status = component::status_of(&refusal);
+    log.log(&component::c_text(name), status, &component::c_text(&refusal.message));
     std::ptr::null_mut()
 }
 
@@ -193,7 +194,7 @@ plain! {
     /// Back to the state after instantiation.
     fmi2Reset => Slave::reset;
     /// Cancels an asynchronous step: all steps here are over when they return.
-    fmi2CancelStep => |_: &mut Slave| Err(Fault::error("no step is under way"));
+    fmi2CancelStep => |_: &mut Slave| Err(Refusal::error("no step is under way"));
 }
 
 /// Getters and setters of the types that C can hold as they are.
@@ -251,12 +252,12 @@ macro_rules! values {
 
 values! {
     fmi2GetReal, fmi2SetReal, f64, Slave::real,
-        |x: f64| Ok::<_, Fault>(x), |x: f64| Ok::<_, Fault>(Value::Real(x));
+        |x: f64| Ok::<_, Refusal>(x), |x: f64| Ok::<_, Refusal>(Value::Real(x));
     fmi2GetInteger, fmi2SetInteger, c_int, Slave::integer,
-        |n: i64| c_int::try_from(n).map_err(|_| Fault::error(format!("`{n}` needs more than 32 bits"))),
-        |n: c_int| Ok::<_, Fault>(Value::Integer(n.into()));
+        |n: i64| c_int::try_from(n).map_err(|_| Refusal::error(format!("`{n}` needs more than 32 bits"))),
+        |n: c_int| Ok::<_, Refusal>(Value::Integer(n.into()));
     fmi2GetBoolean, fmi2SetBoolean, c_int, Slave::boolean,
-        |b: bool| Ok::<_, Fault>(c_int::from(b)), |b: c_int| Ok::<_, Fault>(Value::Boolean(b != 0));
+        |b: bool| Ok::<_, Refusal>(c_int::from(b)), |b: c_int| Ok::<_, Refusal>(Value::Boolean(b != 0));
 }
 
 /// Reads texts; they live until the next call.
@@ -378,7 +379,7 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
     _unknown_changes: *mut f64,
 ) -> Status {
     // SAFETY: the caller vouches for it.
-    unsafe { with(c, |_| Err(Fault::error("directional derivatives are not provided"))) }
+    unsafe { with(c, |_| Err(Refusal::error("directional derivatives are not provided"))) }
 }
 
 /// Derivatives of inputs: not taken, as the model description says.
@@ -394,7 +395,7 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
     _values: *const f64,
 ) -> Status {
     // SAFETY: the caller vouches for it.
-    unsafe { with(c, |_| Err(Fault::error("inputs are held, not interpolated"))) }
+    unsafe { with(c, |_| Err(Refusal::error("inputs are held, not interpolated"))) }
 }
 
 /// Derivatives of outputs: not provided, as the model description says.
@@ -410,7 +411,7 @@ pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
     _values: *mut f64,
 ) -> Status {
     // SAFETY: the caller vouches for it.
-    unsafe { with(c, |_| Err(Fault::error("derivatives of outputs are not provided"))) }
+    unsafe { with(c, |_| Err(Refusal::error("derivatives of outputs are not provided"))) }
 }
 
 /// Advances by a step.
@@ -438,7 +439,7 @@ const NOTHING_PENDING: &str = "no step is under way";
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetStatus(c: Instance, _kind: c_int, _value: *mut Status) -> Status {
     // SAFETY: the caller vouches for it.
-    unsafe { with(c, |_| Err(Fault::error(NOTHING_PENDING))) }
+    unsafe { with(c, |_| Err(Refusal::error(NOTHING_PENDING))) }
 }
 
 /// The end of the last step.
@@ -452,7 +453,7 @@ pub unsafe extern "C" fn fmi2GetRealStatus(c: Instance, kind: c_int, value: *mut
         with(c, |c| {
             let value = convert::place(value)?;
             if kind != LAST_SUCCESSFUL_TIME {
-                return Err(Fault::error(NOTHING_PENDING));
+                return Err(Refusal::error(NOTHING_PENDING));
             }
             *value = c.slave.time();
             Ok(())
@@ -476,7 +477,7 @@ pub unsafe extern "C" fn fmi2GetIntegerStatus(
     _value: *mut c_int,
 ) -> Status {
     // SAFETY: the caller vouches for it.
-    unsafe { with(c, |_| Err(Fault::error(NOTHING_PENDING))) }
+    unsafe { with(c, |_| Err(Refusal::error(NOTHING_PENDING))) }
 }
 
 /// Whether the instance wants the run to end: never.
@@ -494,7 +495,7 @@ pub unsafe extern "C" fn fmi2GetBooleanStatus(
         with(c, |_| {
             let value = convert::place(value)?;
             if kind != TERMINATED {
-                return Err(Fault::error(NOTHING_PENDING));
+                return Err(Refusal::error(NOTHING_PENDING));
             }
             *value = 0;
             Ok(())
@@ -513,5 +514,5 @@ pub unsafe extern "C" fn fmi2GetStringStatus(
     _value: *mut *const c_char,
 ) -> Status {
     // SAFETY: the caller vouches for it.
-    unsafe { with(c, |_| Err(Fault::error(NOTHING_PENDING))) }
+    unsafe { with(c, |_| Err(Refusal::error(NOTHING_PENDING))) }
 }

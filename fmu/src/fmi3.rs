@@ -4,7 +4,7 @@ use std::ffi::{CStr, c_char, c_uint, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use cordon_cosim::fmi::interface::FmiVersion;
-use cordon_cosim::fmi::slave::{Fault, Slave};
+use cordon_cosim::fmi::slave::{Refusal, Slave};
 use cordon_cosim::unit::Value;
 
 use crate::component::{self, Component, LOG_CATEGORY, Log, Status};
@@ -47,7 +47,7 @@ impl Log for Log3 {
 /// As for [`component::with`].
 pub unsafe fn with(
     instance: Instance,
-    body: impl FnOnce(&mut Component<Log3>) -> Result<(), Fault>,
+    body: impl FnOnce(&mut Component<Log3>) -> Result<(), Refusal>,
 ) -> Status {
     // SAFETY: the caller vouches for it.
     unsafe { component::with(instance, body) }
@@ -82,31 +82,31 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
     let log = Log3 { log_message, environment, on: logging_on };
     // SAFETY: the caller vouches for it.
     let texts =
-        || unsafe { Ok::<_, Fault>((convert::text(instance_name)?, convert::text(token)?)) };
+        || unsafe { Ok::<_, Refusal>((convert::text(instance_name)?, convert::text(token)?)) };
     let made = catch_unwind(AssertUnwindSafe(|| {
         let (name, token) = texts()?;
         if event_mode_used {
-            return Err(Fault::error("this FMU has no event mode"));
+            return Err(Refusal::error("this FMU has no event mode"));
         }
         if intermediate_count > 0 {
-            return Err(Fault::error("this FMU has no intermediate updates"));
+            return Err(Refusal::error("this FMU has no intermediate updates"));
         }
         Ok((name, Slave::instantiate(FmiVersion::V3, name, token)?))
     }));
-    let fault = match made {
+    let refusal = match made {
         Ok(Ok((name, slave))) => {
             let name = component::c_text(name);
             return component::hand_out(Component { name, slave, log, texts: Vec::new() });
         }
-        Ok(Err(fault)) => fault,
-        Err(_) => Fault::fatal("internal fault: no instance was made"),
+        Ok(Err(refusal)) => refusal,
+        Err(_) => Refusal::fatal("internal fault: no instance was made"),
     };
-    refuse(&log, &fault)
+    refuse(&log, &refusal)
 }
 
 /// Logs why no instance was made; null.
-pub fn refuse(log: &Log3, fault: &Fault) -> Instance {
-    log.log(c"", component::status_of(fault), &component::c_text(&fault.message));
+pub fn refuse(log: &Log3, refusal: &Refusal) -> Instance {
+    log.log(c"", component::status_of(refusal), &component::c_text(&refusal.message));
     std::ptr::null_mut()
 }
 
@@ -258,11 +258,11 @@ values! {
 }
 
 /// All variables are scalars: one value each.
-fn same_length(references: usize, values: usize) -> Result<(), Fault> {
+fn same_length(references: usize, values: usize) -> Result<(), Refusal> {
     if references == values {
         return Ok(());
     }
-    Err(Fault::error(format!("{values} values for {references} variables: expected one each")))
+    Err(Refusal::error(format!("{values} values for {references} variables: expected one each")))
 }
 
 /// Reads texts; they live until the next call.

@@ -3,7 +3,7 @@
 
 use std::ffi::{c_char, c_uint, c_void};
 
-use cordon_cosim::fmi::slave::Fault;
+use cordon_cosim::fmi::slave::Refusal;
 
 use crate::component::Status;
 use crate::fmi3::{Instance, Log3, refuse, with};
@@ -21,7 +21,7 @@ macro_rules! refused {
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $name(instance: Instance $(, _: $argument)*) -> Status {
             // SAFETY: the caller vouches for it.
-            unsafe { with(instance, |_| Err(Fault::error($what))) }
+            unsafe { with(instance, |_| Err(Refusal::error($what))) }
         }
     )*};
 }
@@ -51,11 +51,11 @@ macro_rules! types_unused {
     };
 }
 
-fn none_of_this_type(count: usize) -> Result<(), Fault> {
+fn none_of_this_type(count: usize) -> Result<(), Refusal> {
     if count == 0 {
         return Ok(());
     }
-    Err(Fault::error("no variable has this type: expected Float64, Int64, Boolean or String"))
+    Err(Refusal::error("no variable has this type: expected Float64, Int64, Boolean or String"))
 }
 
 types_unused! {
@@ -138,7 +138,7 @@ pub unsafe extern "C" fn fmi3InstantiateModelExchange(
     log_message: Option<LogMessage>,
 ) -> Instance {
     let log = Log3::of(log_message, environment, logging_on);
-    refuse(&log, &Fault::error("this FMU is for co-simulation, not for model exchange"))
+    refuse(&log, &Refusal::error("this FMU is for co-simulation, not for model exchange"))
 }
 
 /// Refuses: this FMU is for co-simulation.
@@ -159,5 +159,5 @@ pub unsafe extern "C" fn fmi3InstantiateScheduledExecution(
     _unlock_preemption: Option<unsafe extern "C" fn()>,
 ) -> Instance {
     let log = Log3::of(log_message, environment, logging_on);
-    refuse(&log, &Fault::error("this FMU is for co-simulation, not for scheduled execution"))
+    refuse(&log, &Refusal::error("this FMU is for co-simulation, not for scheduled execution"))
 }

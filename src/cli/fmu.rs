@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use cordon_core::{Outcome, Result, files};
 use cordon_cosim::fmi::interface::{FmiVersion, Model, Positions};
-use cordon_cosim::fmi::{binary, package};
+use cordon_cosim::fmi::{binary, import, package};
 
 /// Arguments of `cordon fmu`.
 #[derive(clap::Args, Debug)]
@@ -18,7 +18,13 @@ pub struct Args {
 enum Command {
     /// Write a unit of the co-simulation as an FMU, which other tools run
     Export(ExportArgs),
+    /// Serve an FMU to the parent process
+    #[command(hide = true)]
+    Host,
 }
+
+/// The arguments with which this program serves an FMU to its parent process.
+pub(super) const HOST: [&str; 2] = ["fmu", "host"];
 
 #[derive(clap::Args, Debug)]
 struct ExportArgs {
@@ -101,6 +107,7 @@ impl From<PositionsArg> for Positions {
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     match &args.command {
         Command::Export(args) => export(args, out),
+        Command::Host => import::serve().map(|()| Outcome::Holds),
     }
 }
 

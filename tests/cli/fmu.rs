@@ -131,7 +131,7 @@ fn the_rules_of_the_standards_hold() {
     let model = Model::Plant;
     let (x0, w1, tau) = (reference(model, "x0"), reference(model, "w1"), reference(model, TAU));
     let mut s = slave(model, FmiVersion::V2);
-    let refused = |fault: Result<(), cordon_cosim::fmi::slave::Fault>, part: &str| {
+    let refused = |fault: Result<(), cordon_cosim::fmi::slave::Refusal>, part: &str| {
         let fault = fault.unwrap_err();
         assert!(fault.message.contains(part), "{}", fault.message);
         assert_eq!(fault.severity, Severity::Error);

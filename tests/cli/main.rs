@@ -13,6 +13,8 @@ mod export_pvs;
 mod fmi_import;
 mod fmpy;
 mod fmu;
+#[cfg(all(feature = "fmi-import", unix))]
+mod foreign;
 mod golden;
 mod replay;
 mod sweep;

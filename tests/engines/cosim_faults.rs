@@ -1,16 +1,21 @@
 //! Faults on links and drones: named in the scenario, seeded, and in accord with the spec.
 use crate::common::{for_cases, q, qs};
 use cordon_core::Rational;
+use cordon_cosim::cosimulation::Cosimulation;
 use cordon_cosim::run;
-use cordon_cosim::swarm::Swarm;
 use cordon_run::scenario::{Draft, Fault, FaultKind, Flight, Start};
 use proptest::prelude::*;
 
-fn swarm(start: &str, eps: &str, period: u32, flight: Flight) -> Swarm {
+fn swarm(start: &str, eps: &str, period: u32, flight: Flight) -> Cosimulation {
     try_swarm(start, eps, period, flight).unwrap()
 }
 
-fn try_swarm(start: &str, eps: &str, period: u32, flight: Flight) -> cordon_core::Result<Swarm> {
+fn try_swarm(
+    start: &str,
+    eps: &str,
+    period: u32,
+    flight: Flight,
+) -> cordon_core::Result<Cosimulation> {
     let draft = Draft {
         start: Some(Start::Listed(qs(start))),
         weight: Some(q(eps)),
@@ -18,10 +23,10 @@ fn try_swarm(start: &str, eps: &str, period: u32, flight: Flight) -> cordon_core
         tau: Some(q("0.05")),
         ..Draft::default()
     };
-    Swarm::new(draft.finish()?, flight)
+    Cosimulation::new(draft.finish()?, flight)
 }
 
-fn desired(swarm: &Swarm) -> Vec<Vec<f64>> {
+fn desired(swarm: &Cosimulation) -> Vec<Vec<f64>> {
     let record = run::run(swarm, |_| {}).unwrap();
     (0..record.rows()).map(|row| record.desired_at(row).to_vec()).collect()
 }

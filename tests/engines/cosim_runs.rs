@@ -2,20 +2,20 @@
 use crate::common::{q, qs};
 use cordon_core::exact::decimal_string;
 use cordon_cosim::collision::EventKind;
+use cordon_cosim::cosimulation::Cosimulation;
 use cordon_cosim::record::Record;
-use cordon_cosim::swarm::Swarm;
 use cordon_cosim::{exact_run, run, store};
 use cordon_run::scenario::{self, Draft, Flight, Start};
 use cordon_run::simulate;
 
-fn swarm_of(file: &str) -> Swarm {
+fn swarm_of(file: &str) -> Cosimulation {
     let draft = scenario::read(file.as_ref()).unwrap();
     let flight = draft.flight.clone();
-    Swarm::new(draft.finish().unwrap(), flight).unwrap()
+    Cosimulation::new(draft.finish().unwrap(), flight).unwrap()
 }
 
 /// The paper's swarm with weight tenths/10 and a period of as many tenths of a second.
-fn paper(tenths: u32, protocol: &str, flight: Flight) -> Swarm {
+fn paper(tenths: u32, protocol: &str, flight: Flight) -> Cosimulation {
     let draft = Draft {
         protocol: Some(protocol.to_owned()),
         start: Some(Start::Listed(qs("0,10,20,30,100"))),
@@ -24,10 +24,10 @@ fn paper(tenths: u32, protocol: &str, flight: Flight) -> Swarm {
         tau: Some(q("0.05")),
         ..Draft::default()
     };
-    Swarm::new(draft.finish().unwrap(), flight).unwrap()
+    Cosimulation::new(draft.finish().unwrap(), flight).unwrap()
 }
 
-fn flown(swarm: &Swarm) -> Record {
+fn flown(swarm: &Cosimulation) -> Record {
     run::run(swarm, |_| {}).unwrap()
 }
 
@@ -199,7 +199,7 @@ fn formation_flies_too() {
         tau: Some(q("1/20")),
         ..Draft::default()
     };
-    let swarm = Swarm::new(draft.finish().unwrap(), Flight::default()).unwrap();
+    let swarm = Cosimulation::new(draft.finish().unwrap(), Flight::default()).unwrap();
     let record = flown(&swarm);
     let exact = simulate::run(&swarm.scenario).nth(500).unwrap().state.drones;
     assert!(
@@ -254,7 +254,7 @@ fn runs_are_the_same_on_one_and_two_threads() {
     let flight = Flight { duration: Some(q("5")), ..Flight::default() };
     let runs = [1, 2, 2].map(|threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        let swarm = Swarm::new(scenario.clone(), flight.clone()).unwrap();
+        let swarm = Cosimulation::new(scenario.clone(), flight.clone()).unwrap();
         pool.install(|| flown(&swarm))
     });
     let bits = |r: &Record| -> Vec<u64> {

@@ -8,6 +8,7 @@
 
 pub mod error;
 pub mod exact;
+#[cfg(feature = "files")]
 pub mod files;
 pub mod linear;
 pub mod random;

@@ -3,10 +3,11 @@
 use std::fmt;
 
 use super::coordination::Slot;
+use super::cosimulation::{Body, Cosimulation};
 use super::exact_units::{ExactControl, ExactPlant, control_var, plant_var};
 use super::master::Master;
 use super::record::Record;
-use super::swarm::{Body, Swarm};
+use super::seat::Seat;
 use super::unit::Value;
 use super::wiring::Port;
 use cordon_core::{Error, Result};
@@ -55,15 +56,15 @@ impl fmt::Display for Difference {
 ///
 /// # Errors
 /// The swarm cannot be wired.
-pub fn master(swarm: &Swarm) -> Result<Master> {
+pub fn master(swarm: &Cosimulation) -> Result<Master> {
     let start = |i: usize| swarm.start.get(i).cloned().unwrap_or_default();
     let wiring = swarm.wired(&Body {
         coordination: &|i| swarm.exact_coordination(i),
         control: &|i| {
-            let name = format!("control{i}");
+            let name = Seat::control(i).name();
             Box::new(ExactControl::new(name, &swarm.lambda_p, &swarm.lambda_a))
         },
-        plant: &|i| Box::new(ExactPlant::new(format!("plant{i}"), &start(i), swarm.integrator)),
+        plant: &|i| Box::new(ExactPlant::new(Seat::plant(i).name(), &start(i), swarm.integrator)),
         desired: Slot::Own,
         state: control_var::CHAIN..control_var::SNAP,
         first_output: plant_var::X,
@@ -78,7 +79,7 @@ pub fn master(swarm: &Swarm) -> Result<Master> {
 ///
 /// # Errors
 /// The swarm cannot be wired, or the record is another one's.
-pub fn difference(swarm: &Swarm, record: &Record) -> Result<Difference> {
+pub fn difference(swarm: &Cosimulation, record: &Record) -> Result<Difference> {
     let mut found = Difference { desired: Largest::default(), actual: Largest::default() };
     let own = (0..swarm.count()).map(|i| swarm.exact_port(i)).collect::<Result<Vec<_>>>()?;
     master(swarm)?.run(|master, step| {
@@ -93,7 +94,8 @@ pub fn difference(swarm: &Swarm, record: &Record) -> Result<Difference> {
             };
             let desired = distance(*own, *desired)?;
             found.desired.note(desired, i, step);
-            let actual = distance(Port { unit: 3 * i + 2, variable: plant_var::X }, *actual)?;
+            let plant = Port { unit: Seat::plant(i).place(), variable: plant_var::X };
+            let actual = distance(plant, *actual)?;
             found.actual.note(actual, i, step);
         }
         Ok(())

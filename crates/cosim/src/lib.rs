@@ -5,25 +5,41 @@
 //! Units know nothing of each other, the master nothing of drones.
 
 mod body_variables;
-pub mod collision;
 pub mod control;
 pub mod coordination;
-pub mod exact_run;
-pub mod exact_units;
-mod faults;
+mod fingerprint;
 pub mod fmi;
 pub mod grid;
-#[cfg(feature = "package")]
-pub mod interchange;
-pub mod master;
-mod order;
 pub mod physics;
 pub mod plant;
 pub mod quotient;
-pub mod record;
-pub mod replay;
-pub mod run;
-pub mod store;
-pub mod swarm;
 pub mod unit;
+
+#[cfg(feature = "swarm")]
+pub mod collision;
+#[cfg(feature = "swarm")]
+pub mod cosimulation;
+#[cfg(feature = "swarm")]
+pub mod exact_run;
+#[cfg(feature = "swarm")]
+mod exact_units;
+#[cfg(feature = "swarm")]
+mod faults;
+#[cfg(feature = "package")]
+pub mod interchange;
+#[cfg(feature = "swarm")]
+pub mod master;
+#[cfg(feature = "swarm")]
+mod order;
+#[cfg(feature = "swarm")]
+pub mod record;
+#[cfg(feature = "swarm")]
+pub mod replay;
+#[cfg(feature = "swarm")]
+pub mod run;
+#[cfg(feature = "swarm")]
+pub mod seat;
+#[cfg(feature = "swarm")]
+pub mod store;
+#[cfg(feature = "swarm")]
 pub mod wiring;

@@ -219,6 +219,16 @@ impl Master {
         }
     }
 
+    /// What the user should know about the units, each note with the unit's name.
+    pub fn notes(&self) -> Vec<String> {
+        let of = |cell: &Cell| {
+            let name = cell.unit.name().to_owned();
+            let note = move |note: &String| format!("unit `{name}`: {note}");
+            cell.unit.notes().iter().map(note).collect::<Vec<_>>()
+        };
+        self.cells.iter().flat_map(of).collect()
+    }
+
     /// Runs along the whole grid. `observe` is called at every grid point, the first and the
     /// last included.
     ///

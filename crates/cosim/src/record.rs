@@ -20,6 +20,10 @@ pub struct Record {
     pub events: Option<Vec<Event>>,
     /// What the run was made with, where it is known.
     pub setup: Option<Setup>,
+    /// What the user should know besides: warnings of FMUs.
+    pub notes: Vec<String>,
+    /// Why the run ended before its time; what is here happened until then.
+    pub broken_off: Option<String>,
 }
 
 /// What a run was made with, in words and exact numbers.
@@ -39,7 +43,54 @@ pub struct Setup {
     pub integrator: String,
     /// `jacobi` or `gauss-seidel`.
     pub master: String,
+    /// Whether the arithmetic was that of the authors' recorded runs.
+    pub recorded: bool,
+    /// FMUs in the place of units.
+    pub fmus: Vec<Flown>,
 }
+
+/// An FMU that flew in the place of a unit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Flown {
+    /// Name of the unit whose place it took: `plant2`.
+    pub unit: String,
+    /// Name of the FMU's file.
+    pub fmu: String,
+}
+
+impl Setup {
+    /// What moved the drones, in words: the plants, the master, and whatever is unusual.
+    pub fn flown_with(&self) -> String {
+        let mut text = format!("{} plant, {} master", self.integrator, self.master);
+        if self.recorded {
+            text.push_str(", arithmetic of the recorded runs");
+        }
+        for (place, flown) in self.fmus.iter().enumerate() {
+            match place {
+                MOST_LISTED => {
+                    text.push_str(&format!(", and {} more FMUs", self.fmus.len() - place));
+                }
+                p if p < MOST_LISTED => {
+                    text.push_str(&format!(", {} is `{}`", flown.unit, flown.fmu));
+                }
+                _ => {}
+            }
+        }
+        text
+    }
+
+    /// How often drones update, in words.
+    pub fn rhythm(&self) -> String {
+        let period = match self.period {
+            1 => "tick".to_owned(),
+            ticks => format!("{ticks} ticks"),
+        };
+        format!("an update every {period} of {} s", self.tau)
+    }
+}
+
+/// FMUs that are listed in words; the rest is counted.
+const MOST_LISTED: usize = 6;
 
 impl Record {
     /// Desired positions at a grid point.

@@ -6,8 +6,9 @@ mod json;
 mod parquet;
 
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use super::fingerprint::Fingerprint;
 use super::record::Record;
 use cordon_core::{Error, Result, files};
 
@@ -61,22 +62,71 @@ fn columns(_: &Record, _: &mut dyn Write) -> Result<()> {
     ))
 }
 
-/// Writes a record into a file, which appears whole or not at all.
+/// Writes a record into a file, which appears whole or not at all. What the columns of CSV and
+/// Parquet cannot say (title, set-up, events) goes into a [companion](companion_of) beside it.
 ///
 /// # Errors
 /// As for [`write()`].
 pub fn save(record: &Record, format: Format, path: &Path) -> Result<()> {
-    files::write_whole(path, |file| write(record, format, file))
+    let mut fingerprint = Fingerprint::default();
+    files::write_whole(path, |file| {
+        write(record, format, &mut Fingerprinted { file, fingerprint: &mut fingerprint })
+    })?;
+    match format {
+        Format::Json => Ok(()),
+        Format::Csv | Format::Parquet => {
+            let companion = json::companion(record, fingerprint)?;
+            files::write_atomically(&companion_of(path), &companion)
+        }
+    }
 }
 
-/// Reads a run file in CSV or JSON.
+/// The companion of a run file: `run.csv.json` of `run.csv`.
+pub fn companion_of(path: &Path) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(".json");
+    name.into()
+}
+
+/// A file whose content is fingerprinted on its way.
+struct Fingerprinted<'f> {
+    file: &'f mut dyn Write,
+    fingerprint: &'f mut Fingerprint,
+}
+
+impl Write for Fingerprinted<'_> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        let written = self.file.write(bytes)?;
+        self.fingerprint.add(bytes.get(..written).unwrap_or_default());
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.file.flush()
+    }
+}
+
+/// Reads a run file in CSV, with its companion where there is one, or in JSON.
 ///
 /// # Errors
-/// The file cannot be read, or is no whole run: the message names it and says where.
+/// The file cannot be read, or is no whole run, or its companion is another run's: the message
+/// names it and says where.
 pub fn load(path: &Path) -> Result<Record> {
     let name = path.display().to_string();
     match Format::of(path) {
-        Format::Csv => csv::parse(&name, &files::read_text(path)?),
+        Format::Csv => {
+            let text = files::read_text(path)?;
+            let mut record = csv::parse(&name, &text)?;
+            let companion = companion_of(path);
+            if companion.exists() {
+                let mut fingerprint = Fingerprint::default();
+                fingerprint.add(text.as_bytes());
+                let about = files::read_text(&companion)?;
+                let name = companion.display().to_string();
+                json::accompany(&mut record, fingerprint, &name, &about)?;
+            }
+            Ok(record)
+        }
         Format::Json => json::parse(&name, &files::read_text(path)?),
         Format::Parquet => Err(Error::input(format!(
             "`{name}`: expected a run file in CSV or JSON; Parquet is written only"

@@ -52,6 +52,11 @@ pub trait Unit: Send {
         true
     }
 
+    /// What the user should know about the unit, as of now: warnings of an FMU.
+    fn notes(&self) -> &[String] {
+        &[]
+    }
+
     /// Told instead of [`set`](Unit::set) where a message to this input was lost on its way.
     /// The input keeps its value; a unit that wants to know overrides this.
     fn lost(&mut self, _input: usize) {}

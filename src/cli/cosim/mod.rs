@@ -4,17 +4,19 @@ mod summary;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::cli::choice::{Choice, choice};
+use crate::cli::fmu::HOST;
 use crate::cli::scenario_args::ScenarioArgs;
 use cordon_core::exact;
 use cordon_core::{Error, Outcome, Result};
-use cordon_cosim::fmi::import::substitute;
+use cordon_cosim::cosimulation::{Cosimulation, Loader};
+use cordon_cosim::fmi::import::{Isolation, substitute};
 use cordon_cosim::record::Record;
 use cordon_cosim::store::{self, Format};
-use cordon_cosim::swarm::Swarm;
 use cordon_cosim::{exact_run, run as engine};
 use cordon_run::scenario::Flight;
 
@@ -60,9 +62,21 @@ pub struct FlightArgs {
     /// Arithmetic of the authors' recorded runs, to the last bit
     #[arg(long, value_enum, help_heading = "Flight")]
     compat: Option<Compat>,
+    /// Run FMUs in this process: faster, but one that crashes takes this program with it
+    #[arg(long, help_heading = "FMUs")]
+    in_process: bool,
+    /// Longest time that an FMU may take for a step [default: 60]
+    #[arg(
+        long,
+        value_name = "SECONDS",
+        allow_hyphen_values = true,
+        help_heading = "FMUs",
+        conflicts_with = "in_process"
+    )]
+    step_limit: Option<f64>,
 }
 
-/// Known arithmetics of old.
+/// Arithmetics of earlier programs.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Compat {
     /// The authors' recorded runs
@@ -82,6 +96,8 @@ impl FlightArgs {
             ("exchange", self.exchange.is_some()),
             ("seed", self.seed.is_some()),
             ("compat", self.compat.is_some()),
+            ("in-process", self.in_process),
+            ("step-limit", self.step_limit.is_some()),
         ];
         match given.iter().find(|(_, is)| *is) {
             Some((flag, _)) => Err(Error::input(format!(
@@ -92,11 +108,30 @@ impl FlightArgs {
         }
     }
 
+    /// Where FMUs run.
+    fn isolation(&self) -> Result<Isolation> {
+        if self.in_process {
+            return Ok(Isolation::InProcess);
+        }
+        let seconds = self.step_limit.unwrap_or(60.0);
+        let limit = Duration::try_from_secs_f64(seconds).ok().filter(|limit| !limit.is_zero());
+        Ok(Isolation::Process {
+            program: std::env::current_exe()
+                .map_err(|e| Error::file("find", Path::new("cordon"), e))?,
+            arguments: HOST.map(str::to_owned).to_vec(),
+            limit: limit.ok_or_else(|| {
+                Error::input(format!(
+                    "step-limit: `{seconds}`: expected a positive number of seconds"
+                ))
+            })?,
+        })
+    }
+
     /// The swarm that a scenario and these flags describe.
     ///
     /// # Errors
     /// The scenario cannot be read, or a field is wrong.
-    pub(in crate::cli) fn swarm(&self, scenario: &ScenarioArgs) -> Result<Swarm> {
+    pub(in crate::cli) fn swarm(&self, scenario: &ScenarioArgs) -> Result<Cosimulation> {
         let (checked, flight) = scenario.scenario_and_flight()?;
         let flags = Flight {
             duration: self.duration.as_deref().map(|t| exact::parse("duration", t)).transpose()?,
@@ -106,8 +141,9 @@ impl FlightArgs {
             seed: self.seed,
             ..Flight::default()
         };
-        let mut swarm = scenario.in_file(Swarm::new(checked, flight.replaced_by(flags)))?;
-        swarm.load = substitute;
+        let mut swarm = scenario.in_file(Cosimulation::new(checked, flight.replaced_by(flags)))?;
+        let isolation = self.isolation()?;
+        swarm.load = Loader::new(move |fmu, unit| substitute(&isolation, fmu, unit));
         match self.compat {
             Some(Compat::Recorded) => swarm.as_recorded(),
             None => Ok(swarm),
@@ -118,15 +154,18 @@ impl FlightArgs {
 /// Runs the co-simulation.
 pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let swarm = args.flight.swarm(&args.scenario)?;
-    let record = flown(&swarm, args.progress)?;
+    let (record, ended) = flown(&swarm, args.progress)?;
+    for note in &record.notes {
+        eprint_all(format!("warning: {note}\n").as_bytes());
+    }
     let difference = match args.exact {
         true if !swarm.units.is_empty() => {
             return Err(Error::input(
                 "exact: expected units of this program: FMUs compute in doubles",
             ));
         }
-        true => Some(exact_run::difference(&swarm, &record)?),
-        false => None,
+        true if ended.is_ok() => Some(exact_run::difference(&swarm, &record)?),
+        _ => None,
     };
     let mut about = Vec::new();
     summary::text(&record, &mut about)?;
@@ -145,7 +184,8 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         }
         (None, None) => out.write_all(&about)?,
     }
-    Ok(Outcome::Holds)
+    // What was flown until a unit failed is written, and marked; the failure stays one.
+    ended.map(|()| Outcome::Holds)
 }
 
 fn eprint_all(text: &[u8]) {
@@ -153,18 +193,18 @@ fn eprint_all(text: &[u8]) {
     let _ = std::io::stderr().write_all(text);
 }
 
-fn flown(swarm: &Swarm, progress: bool) -> Result<Record> {
+fn flown(swarm: &Cosimulation, progress: bool) -> Result<(Record, Result<()>)> {
     if !progress {
-        return engine::run(swarm, |_| {});
+        return engine::run_as_far_as_it_goes(swarm, |_| {});
     }
     let bar = ProgressBar::new(swarm.grid.steps());
     // A template of its own that does not parse falls back to the usual bar.
     if let Ok(style) = ProgressStyle::with_template("{bar:40} step {pos} of {len}, {eta} left") {
         bar.set_style(style);
     }
-    let record = engine::run(swarm, |step| bar.set_position(step));
+    let flown = engine::run_as_far_as_it_goes(swarm, |step| bar.set_position(step));
     bar.finish_and_clear();
-    record
+    flown
 }
 
 impl Choice for Format {

@@ -25,16 +25,16 @@ pub fn text(record: &Record, out: &mut dyn Write) -> Result<()> {
         if let Some((min, max)) = &s.segment {
             write!(out, " of [{min}, {max}]")?;
         }
-        write!(out, ", N = {}, eps = {}, an update every ", record.count, s.weight)?;
-        match s.period {
-            1 => write!(out, "tick")?,
-            n => write!(out, "{n} ticks")?,
-        }
-        writeln!(out, " of {} s; {} plant, {} master", s.tau, s.integrator, s.master)?;
+        let (rhythm, with) = (s.rhythm(), s.flown_with());
+        writeln!(out, ", N = {}, eps = {}, {rhythm}; {with}", record.count, s.weight)?;
     }
     writeln!(out)?;
     table(record, out)?;
-    events(record, out)
+    events(record, out)?;
+    if let Some(why) = &record.broken_off {
+        writeln!(out, "\nthe run broke off: {why}")?;
+    }
+    Ok(())
 }
 
 fn table(record: &Record, out: &mut dyn Write) -> Result<()> {

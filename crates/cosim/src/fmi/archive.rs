@@ -1,6 +1,8 @@
 //! Reading FMUs: the archive, the model description, the binaries in it.
 
-use std::io::{Cursor, Read};
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
@@ -8,6 +10,7 @@ use zip::ZipArchive;
 
 use super::interface::{FmiVersion, Model};
 use super::package::platform;
+use super::units::Si;
 use cordon_core::{Error, Result};
 
 /// An FMU on disk, its model description read.
@@ -32,7 +35,7 @@ pub struct Fmu {
 }
 
 /// A variable of an FMU.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct FmuVariable {
     /// Name.
     pub name: String,
@@ -42,8 +45,19 @@ pub struct FmuVariable {
     pub kind: String,
     /// `input`, `output`, `parameter`, `local`, ...
     pub causality: String,
-    /// Physical unit.
-    pub unit: Option<String>,
+    /// Physical unit, of the variable or of its declared type.
+    pub unit: Option<FmuUnit>,
+    /// Whether it is an array.
+    pub is_array: bool,
+}
+
+/// The physical unit of a variable of an FMU.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FmuUnit {
+    /// Its name.
+    pub name: String,
+    /// What it is in SI base units; `None` where neither a definition nor the name says so.
+    pub(super) si: Option<Si>,
 }
 
 #[derive(Deserialize)]
@@ -57,8 +71,99 @@ struct Description {
     token: String,
     #[serde(rename = "CoSimulation")]
     co_simulation: Option<CoSimulation>,
+    #[serde(rename = "UnitDefinitions", default)]
+    units: UnitDefinitions,
+    #[serde(rename = "TypeDefinitions", default)]
+    types: TypeDefinitions,
     #[serde(rename = "ModelVariables", default)]
     variables: ModelVariables,
+}
+
+#[derive(Deserialize, Default)]
+struct UnitDefinitions {
+    #[serde(rename = "Unit", default)]
+    list: Vec<UnitDefinition>,
+}
+
+#[derive(Deserialize)]
+struct UnitDefinition {
+    #[serde(rename = "@name")]
+    name: String,
+    #[serde(rename = "BaseUnit")]
+    base: Option<BaseUnit>,
+}
+
+/// Exponents of the SI base units, and how the unit's values become theirs.
+#[derive(Deserialize)]
+struct BaseUnit {
+    #[serde(rename = "@kg", default)]
+    kg: i32,
+    #[serde(rename = "@m", default)]
+    m: i32,
+    #[serde(rename = "@s", default)]
+    s: i32,
+    #[serde(rename = "@A", default)]
+    ampere: i32,
+    #[serde(rename = "@K", default)]
+    kelvin: i32,
+    #[serde(rename = "@mol", default)]
+    mol: i32,
+    #[serde(rename = "@cd", default)]
+    cd: i32,
+    #[serde(rename = "@rad", default)]
+    rad: i32,
+    #[serde(rename = "@factor")]
+    factor: Option<f64>,
+    #[serde(rename = "@offset")]
+    offset: Option<f64>,
+}
+
+impl BaseUnit {
+    fn si(&self) -> Si {
+        let exponents = [
+            ("kg", self.kg),
+            ("m", self.m),
+            ("s", self.s),
+            ("A", self.ampere),
+            ("K", self.kelvin),
+            ("mol", self.mol),
+            ("cd", self.cd),
+            ("rad", self.rad),
+        ];
+        Si::new(exponents, self.factor.unwrap_or(1.0), self.offset.unwrap_or(0.0))
+    }
+}
+
+#[derive(Deserialize, Default)]
+struct TypeDefinitions {
+    #[serde(rename = "$value", default)]
+    list: Vec<TypeEntry>,
+}
+
+/// A declared type: FMI 2.0 says which inside, FMI 3.0 by the element's name.
+#[derive(Deserialize)]
+enum TypeEntry {
+    SimpleType(SimpleType),
+    Float64Type(RealDeclaration),
+    Float32Type(RealDeclaration),
+    #[serde(other)]
+    Other,
+}
+
+#[derive(Deserialize)]
+struct SimpleType {
+    #[serde(rename = "@name")]
+    name: String,
+    #[serde(rename = "Real")]
+    real: Option<RealType>,
+}
+
+#[derive(Deserialize)]
+struct RealDeclaration {
+    #[serde(rename = "@name")]
+    name: String,
+    #[serde(rename = "@unit")]
+    unit: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -79,8 +184,15 @@ enum Entry {
     ScalarVariable(Scalar),
     Float64(Typed),
     Float32(Typed),
-    Int64(Typed),
+    Int8(Typed),
+    UInt8(Typed),
+    Int16(Typed),
+    UInt16(Typed),
     Int32(Typed),
+    UInt32(Typed),
+    Int64(Typed),
+    UInt64(Typed),
+    Enumeration(Typed),
     Boolean(Typed),
     String(Typed),
     #[serde(other)]
@@ -103,12 +215,16 @@ struct Scalar {
     boolean: Option<AnyType>,
     #[serde(rename = "String")]
     string: Option<AnyType>,
+    #[serde(rename = "Enumeration")]
+    enumeration: Option<AnyType>,
 }
 
 #[derive(Deserialize)]
 struct RealType {
     #[serde(rename = "@unit")]
     unit: Option<String>,
+    #[serde(rename = "@declaredType")]
+    declared: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -124,26 +240,36 @@ struct Typed {
     causality: Option<String>,
     #[serde(rename = "@unit", default)]
     unit: Option<String>,
+    #[serde(rename = "@declaredType", default)]
+    declared: Option<String>,
+    #[serde(rename = "Dimension", default)]
+    dimensions: Vec<AnyType>,
 }
 
 impl Fmu {
     /// Reads an FMU.
     ///
     /// # Errors
-    /// There is no such file; it is no archive, or a truncated one; it has no model description,
-    /// or one of another version of the standard. The message names the file.
+    /// There is no such file; it is no archive, or a truncated one, or unpacks to more than a
+    /// gigabyte; it has no model description, one that is too large, or one of another version
+    /// of the standard. The message names the file.
     pub fn open(path: &Path) -> Result<Self> {
-        let bytes = std::fs::read(path).map_err(|e| Error::file("read", path, e))?;
         let fail = |what: String| Error::input(format!("`{}`: {what}", path.display()));
-        let mut archive = ZipArchive::new(Cursor::new(bytes))
-            .map_err(|e| fail(format!("expected an FMU, a whole zip archive: {e}")))?;
+        let mut archive = opened(path)?;
         let files: Vec<String> = archive.file_names().map(str::to_owned).collect();
-        let mut text = String::new();
-        archive
+        let description = archive
             .by_name("modelDescription.xml")
-            .map_err(|e| fail(format!("expected an FMU with a `modelDescription.xml`: {e}")))?
+            .map_err(|e| fail(format!("expected an FMU with a `modelDescription.xml`: {e}")))?;
+        let mut text = String::new();
+        description
+            .take(LARGEST_DESCRIPTION + 1)
             .read_to_string(&mut text)
             .map_err(|e| fail(format!("its `modelDescription.xml` cannot be read: {e}")))?;
+        if u64::try_from(text.len()).is_ok_and(|length| length > LARGEST_DESCRIPTION) {
+            return Err(fail(format!(
+                "its `modelDescription.xml` is too large: expected at most {LARGEST_DESCRIPTION} bytes"
+            )));
+        }
         Self::from_description(path, &text, files).map_err(fail)
     }
 
@@ -153,6 +279,8 @@ impl Fmu {
         let description: Description = quick_xml::de::from_str(text)
             .map_err(|e| format!("its `modelDescription.xml` cannot be read: {e}"))?;
         debug_assert!(description.version.starts_with(version.name()));
+        let definitions = Definitions::new(description.units, description.types);
+        let variables = description.variables.list.into_iter();
         let mut platforms: Vec<String> = files
             .iter()
             .filter_map(|f| f.strip_prefix("binaries/")?.split_once('/'))
@@ -166,7 +294,7 @@ impl Fmu {
             model_name: description.model_name,
             token: description.token,
             identifier: description.co_simulation.map(|c| c.identifier),
-            variables: description.variables.list.into_iter().filter_map(variable).collect(),
+            variables: variables.filter_map(|entry| variable(entry, &definitions)).collect(),
             platforms,
             files,
         })
@@ -182,11 +310,11 @@ impl Fmu {
         self.variables.iter().find(|v| v.name == name)
     }
 
-    /// Checks that it can be co-simulated on this platform.
+    /// The path, inside, of the binary with which it can be co-simulated on this platform.
     ///
     /// # Errors
     /// It is not for co-simulation, or has no binary for this platform.
-    pub fn expect_runnable(&self) -> Result<()> {
+    pub fn binary(&self) -> Result<String> {
         let fail = |what: String| Err(Error::input(format!("`{}`: {what}", self.path.display())));
         let Some(identifier) = &self.identifier else {
             return fail("expected an FMU for co-simulation; it is for model exchange".to_owned());
@@ -196,7 +324,7 @@ impl Fmu {
         };
         let binary = format!("binaries/{folder}/{identifier}{ending}");
         if self.files.contains(&binary) {
-            return Ok(());
+            return Ok(binary);
         }
         let others = match self.platforms.as_slice() {
             [] => "no binaries at all".to_owned(),
@@ -206,39 +334,75 @@ impl Fmu {
     }
 }
 
+/// Most bytes of a model description: hundreds of thousands of variables.
+const LARGEST_DESCRIPTION: u64 = 1 << 26;
+
+/// Most bytes of all files of an archive, unpacked.
+const LARGEST_CONTENT: u64 = 1 << 30;
+
+/// Most files of an archive.
+const MOST_FILES: usize = 100_000;
+
+/// Opens an archive, which has to be within the limits.
+fn opened(path: &Path) -> Result<ZipArchive<BufReader<File>>> {
+    let fail = |what: String| Error::input(format!("`{}`: {what}", path.display()));
+    let file = File::open(path).map_err(|e| Error::file("read", path, e))?;
+    let archive = ZipArchive::new(BufReader::new(file))
+        .map_err(|e| fail(format!("expected an FMU, a whole zip archive: {e}")))?;
+    if archive.len() > MOST_FILES {
+        let found = archive.len();
+        return Err(fail(format!("it has {found} files: expected at most {MOST_FILES}")));
+    }
+    // Where the archive says less than it has, unpacking stops at what it says.
+    match archive.decompressed_size() {
+        Some(size) if size > u128::from(LARGEST_CONTENT) => {
+            Err(fail(format!("it unpacks to {size} bytes: expected at most {LARGEST_CONTENT}")))
+        }
+        _ => Ok(archive),
+    }
+}
+
 #[cfg(feature = "fmi-import")]
 impl Fmu {
-    /// Extracts the archive into a temporary folder.
+    /// Unpacks the archive into a temporary folder.
     ///
     /// # Errors
-    /// It cannot be extracted, in words.
-    pub(super) fn extract(&self) -> Result<tempfile::TempDir, String> {
-        let failed = |e: &dyn std::fmt::Display| format!("it cannot be extracted: {e}");
+    /// It cannot be unpacked, a path in it leads out of it, or it is too large.
+    pub(super) fn unpack(&self) -> Result<tempfile::TempDir> {
+        let fail = |what: String| Error::input(format!("`{}`: {what}", self.path.display()));
+        let failed = |e: &dyn std::fmt::Display| fail(format!("it cannot be unpacked: {e}"));
         let folder = tempfile::Builder::new().prefix("cordon-fmu-").tempdir();
         let folder = folder.map_err(|e| failed(&e))?;
-        let file = std::fs::File::open(&self.path).map_err(|e| failed(&e))?;
-        let mut archive = ZipArchive::new(file).map_err(|e| failed(&e))?;
-        archive.extract(&folder).map_err(|e| failed(&e))?;
+        let mut archive = opened(&self.path)?;
+        let mut left = LARGEST_CONTENT;
+        for place in 0..archive.len() {
+            let mut file = archive.by_index(place).map_err(|e| failed(&e))?;
+            let Some(inside) = file.enclosed_name() else {
+                let name = file.name();
+                return Err(fail(format!("`{name}`: expected a path inside the archive")));
+            };
+            let path = folder.path().join(inside);
+            if file.is_dir() {
+                std::fs::create_dir_all(&path).map_err(|e| failed(&e))?;
+                continue;
+            }
+            if let Some(parent) = path.parent() {
+                std::fs::create_dir_all(parent).map_err(|e| failed(&e))?;
+            }
+            let mut to = File::create(&path).map_err(|e| failed(&e))?;
+            let copied = std::io::copy(&mut file.by_ref().take(left + 1), &mut to);
+            left = copied.map_err(|e| failed(&e)).and_then(|written| {
+                let too_much =
+                    || fail(format!("expected at most {LARGEST_CONTENT} bytes, unpacked"));
+                left.checked_sub(written).ok_or_else(too_much)
+            })?;
+            #[cfg(unix)]
+            if file.unix_mode().is_some_and(|mode| mode & 0o100 != 0) {
+                let executable = std::os::unix::fs::PermissionsExt::from_mode(0o700);
+                std::fs::set_permissions(&path, executable).map_err(|e| failed(&e))?;
+            }
+        }
         Ok(folder)
-    }
-
-    /// As much of the model description as it takes to make an instance. The crate `fmi` 0.8
-    /// refuses whole ones: it does not know the attribute `unit` of FMI 3.0 variables.
-    pub(super) fn bare_description(&self) -> String {
-        let token_name = match self.version {
-            FmiVersion::V2 => "guid",
-            FmiVersion::V3 => "instantiationToken",
-        };
-        let text = |t: &str| quick_xml::escape::escape(t).into_owned();
-        format!(
-            "<fmiModelDescription fmiVersion=\"{}\" modelName=\"{}\" {token_name}=\"{}\">\
-             <CoSimulation modelIdentifier=\"{}\"/><ModelVariables/><ModelStructure/>\
-             </fmiModelDescription>",
-            self.version,
-            text(&self.model_name),
-            text(&self.token),
-            text(self.identifier.as_deref().unwrap_or_default())
-        )
     }
 }
 
@@ -258,23 +422,59 @@ fn fmi_version(text: &str) -> Result<FmiVersion, String> {
     }
 }
 
-fn variable(entry: Entry) -> Option<FmuVariable> {
+/// Definitions of units and declared types, by their names.
+struct Definitions {
+    units: BTreeMap<String, Si>,
+    types: BTreeMap<String, Option<String>>,
+}
+
+impl Definitions {
+    fn new(units: UnitDefinitions, types: TypeDefinitions) -> Self {
+        let units = units.list.into_iter().filter_map(|u| Some((u.name, u.base?.si())));
+        let types = types.list.into_iter().filter_map(|entry| match entry {
+            TypeEntry::SimpleType(t) => Some((t.name, t.real?.unit)),
+            TypeEntry::Float64Type(t) | TypeEntry::Float32Type(t) => Some((t.name, t.unit)),
+            TypeEntry::Other => None,
+        });
+        Self { units: units.collect(), types: types.collect() }
+    }
+
+    /// The unit of a variable: its own, or that of its declared type.
+    fn unit(&self, own: Option<String>, declared: Option<String>) -> Option<FmuUnit> {
+        let of_type = || self.types.get(&declared?).cloned().flatten();
+        let name = own.or_else(of_type)?;
+        let si = self.units.get(&name).cloned().or_else(|| Si::named(&name));
+        Some(FmuUnit { name, si })
+    }
+}
+
+fn variable(entry: Entry, definitions: &Definitions) -> Option<FmuVariable> {
     let (kind, v) = match entry {
         Entry::ScalarVariable(s) => {
-            let kind = match (&s.real, &s.integer, &s.boolean, &s.string) {
+            let kind = match (&s.real, &s.integer, &s.boolean, &s.string, &s.enumeration) {
                 (Some(_), ..) => "Real",
                 (_, Some(_), ..) => "Integer",
-                (_, _, Some(_), _) => "Boolean",
-                (_, _, _, Some(_)) => "String",
+                (_, _, Some(_), ..) => "Boolean",
+                (_, _, _, Some(_), _) => "String",
+                (_, _, _, _, Some(_)) => "Enumeration",
                 _ => return None,
             };
-            let unit = s.real.and_then(|r| r.unit);
-            (kind, Typed { name: s.name, reference: s.reference, causality: s.causality, unit })
+            let (unit, declared) = s.real.map_or((None, None), |r| (r.unit, r.declared));
+            let Scalar { name, reference, causality, .. } = s;
+            let dimensions = Vec::new();
+            (kind, Typed { name, reference, causality, unit, declared, dimensions })
         }
         Entry::Float64(v) => ("Float64", v),
         Entry::Float32(v) => ("Float32", v),
-        Entry::Int64(v) => ("Int64", v),
+        Entry::Int8(v) => ("Int8", v),
+        Entry::UInt8(v) => ("UInt8", v),
+        Entry::Int16(v) => ("Int16", v),
+        Entry::UInt16(v) => ("UInt16", v),
         Entry::Int32(v) => ("Int32", v),
+        Entry::UInt32(v) => ("UInt32", v),
+        Entry::Int64(v) => ("Int64", v),
+        Entry::UInt64(v) => ("UInt64", v),
+        Entry::Enumeration(v) => ("Enumeration", v),
         Entry::Boolean(v) => ("Boolean", v),
         Entry::String(v) => ("String", v),
         Entry::Other => return None,
@@ -284,7 +484,8 @@ fn variable(entry: Entry) -> Option<FmuVariable> {
         reference: v.reference,
         kind: kind.to_owned(),
         causality: v.causality.unwrap_or_else(|| "local".to_owned()),
-        unit: v.unit,
+        unit: definitions.unit(v.unit, v.declared),
+        is_array: !v.dimensions.is_empty(),
     })
 }
 

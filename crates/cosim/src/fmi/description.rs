@@ -6,13 +6,16 @@ use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
 
 use super::interface::{FmiVersion, Model, default_tau};
-use crate::unit::{Causality, Dimension, Kind, Value, Variable};
+use super::units::{self, Xml, has_unit};
+use crate::unit::{Causality, Kind, Value, Variable};
 use cordon_core::exact;
-
-type Xml = Writer<Cursor<Vec<u8>>>;
 
 /// End of the run that tools propose, in seconds: that of the paper's figures.
 const STOP_TIME: &str = "25";
+
+/// Elements of the list of units.
+const UNITS: units::Elements =
+    units::Elements { list: "UnitDefinitions", unit: "Unit", base: "BaseUnit" };
 
 /// The model description of an exported unit.
 ///
@@ -38,7 +41,7 @@ pub fn model_description(model: Model, version: FmiVersion) -> Result<Vec<u8>> {
         .with_attribute(("variableNamingConvention", "structured"))
         .write_inner_content(|xml| {
             capabilities(xml, model, version)?;
-            unit_definitions(xml, &variables)?;
+            units::write(xml, &UNITS, &variables)?;
             log_categories(xml)?;
             let tau = exact::to_f64(&default_tau()).to_string();
             xml.create_element("DefaultExperiment")
@@ -84,49 +87,6 @@ fn capabilities(xml: &mut Xml, model: Model, version: FmiVersion) -> Result<()> 
     Ok(())
 }
 
-fn unit_definitions(xml: &mut Xml, variables: &[Variable]) -> Result<()> {
-    let mut symbols: Vec<&str> = variables
-        .iter()
-        .filter(|v| v.kind() == Kind::Real && v.dimension != Dimension::NONE)
-        .map(|v| v.dimension.0)
-        .collect();
-    symbols.sort_unstable();
-    symbols.dedup();
-    xml.create_element("UnitDefinitions").write_inner_content(|xml| {
-        for symbol in symbols {
-            xml.create_element("Unit").with_attribute(("name", symbol)).write_inner_content(
-                |xml| {
-                    let mut base = xml.create_element("BaseUnit");
-                    for (unit, exponent) in base_units(symbol) {
-                        base = base.with_attribute((unit.as_str(), exponent.to_string().as_str()));
-                    }
-                    base.write_empty()?;
-                    Ok(())
-                },
-            )?;
-        }
-        Ok(())
-    })?;
-    Ok(())
-}
-
-/// Exponents of the base units of a symbol like `kg.m2` or `m/s2`.
-pub fn base_units(symbol: &str) -> Vec<(String, i32)> {
-    let mut exponents: Vec<(String, i32)> = Vec::new();
-    for (place, part) in symbol.split('/').enumerate() {
-        let sign = if place == 0 { 1 } else { -1 };
-        for factor in part.split('.').filter(|f| *f != "1") {
-            let name = factor.trim_end_matches(|c: char| c.is_ascii_digit());
-            let exponent: i32 = factor.get(name.len()..).and_then(|e| e.parse().ok()).unwrap_or(1);
-            match exponents.iter_mut().find(|(n, _)| n == name) {
-                Some((_, sum)) => *sum += sign * exponent,
-                None => exponents.push((name.to_owned(), sign * exponent)),
-            }
-        }
-    }
-    exponents
-}
-
 fn log_categories(xml: &mut Xml) -> Result<()> {
     xml.create_element("LogCategories").write_inner_content(|xml| {
         xml.create_element("Category")
@@ -165,10 +125,6 @@ fn start(variable: &Variable) -> Option<String> {
         }),
         Causality::Output | Causality::Local => None,
     }
-}
-
-fn has_unit(variable: &Variable) -> bool {
-    variable.kind() == Kind::Real && variable.dimension != Dimension::NONE
 }
 
 fn variable_2(xml: &mut Xml, reference: usize, variable: &Variable) -> Result<()> {

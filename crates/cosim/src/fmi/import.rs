@@ -1,16 +1,15 @@
 //! FMUs of other tools in the place of units.
 //!
-//! A `Foreign` unit has the name and the variables of the unit whose place
-//! it takes, so that nothing else in the co-simulation changes; behind them is an FMU. The crate
-//! `fmi` loads and calls it. That crate needs libclang to build, hence the feature `fmi-import`.
+//! A `Foreign` unit has the name and the variables of the unit whose place it takes, so that
+//! nothing else in the co-simulation changes; behind them is an FMU, which the crate `cordon-fmi`
+//! loads and calls: by default in a process of its own (see [`Isolation`]).
 
 mod adapter;
 #[cfg(feature = "fmi-import")]
 mod foreign;
-#[cfg(feature = "fmi-import")]
-mod log;
-#[cfg(feature = "fmi-import")]
-mod session;
+
+use std::path::PathBuf;
+use std::time::Duration;
 
 use crate::fmi::archive::Fmu;
 use crate::unit::Unit;
@@ -19,25 +18,69 @@ use cordon_core::Error;
 use cordon_core::Result;
 use cordon_run::scenario::Substitute;
 
-/// An FMU in the place of a unit: the [`Loader`](crate::swarm::Loader) of this program.
+/// Where foreign code runs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Isolation {
+    /// In a child process for each FMU: code that crashes, hangs or ends its process is an error
+    /// of the unit.
+    Process {
+        /// A program that calls [`serve`] when it is given the arguments.
+        program: PathBuf,
+        /// Its arguments.
+        arguments: Vec<String>,
+        /// Longest time of a call. Far more than any call takes: what takes longer hangs.
+        limit: Duration,
+    },
+    /// In this process: faster by the way there and back, but nothing stops an FMU from taking
+    /// this process with it.
+    InProcess,
+}
+
+/// An FMU in the place of a unit, see [`Loader`](crate::cosimulation::Loader).
 ///
 /// # Errors
 /// The FMU cannot be read, is for another platform, or lacks a variable of the unit; or this
 /// program was built without the feature `fmi-import`.
-pub fn substitute(substitute: &Substitute, unit: Box<dyn Unit>) -> Result<Box<dyn Unit>> {
+pub fn substitute(
+    isolation: &Isolation,
+    substitute: &Substitute,
+    unit: Box<dyn Unit>,
+) -> Result<Box<dyn Unit>> {
     let fmu = Fmu::open(&substitute.fmu)?;
-    fmu.expect_runnable()?;
+    fmu.binary()?;
     let map = adapter::map(unit.as_ref(), &fmu, &substitute.names)?;
-    load(fmu, unit.as_ref(), map)
+    load(isolation, fmu, unit.as_ref(), map)
+}
+
+/// Serves the instance of an FMU to the parent process until that has enough.
+///
+/// # Errors
+/// This process was not started by [`substitute`], or this program was built without the feature
+/// `fmi-import`.
+#[cfg(all(feature = "fmi-import", unix))]
+pub fn serve() -> Result<()> {
+    let mut stream = cordon_fmi::remote::stream_to_parent()?;
+    Ok(cordon_fmi::host::serve(&mut stream)?)
+}
+
+/// As above, for a program that cannot run FMUs.
+#[cfg(not(all(feature = "fmi-import", unix)))]
+pub fn serve() -> Result<()> {
+    Err(cordon_core::Error::input("this program runs no FMUs in processes of their own"))
 }
 
 #[cfg(feature = "fmi-import")]
-fn load(fmu: Fmu, unit: &dyn Unit, map: Vec<adapter::Counterpart>) -> Result<Box<dyn Unit>> {
-    Ok(Box::new(foreign::Foreign::new(fmu, unit, map)?))
+fn load(
+    isolation: &Isolation,
+    fmu: Fmu,
+    unit: &dyn Unit,
+    map: adapter::Map,
+) -> Result<Box<dyn Unit>> {
+    Ok(Box::new(foreign::Foreign::new(isolation, fmu, unit, map)?))
 }
 
 #[cfg(not(feature = "fmi-import"))]
-fn load(fmu: Fmu, unit: &dyn Unit, _map: Vec<adapter::Counterpart>) -> Result<Box<dyn Unit>> {
+fn load(_: &Isolation, fmu: Fmu, unit: &dyn Unit, _: adapter::Map) -> Result<Box<dyn Unit>> {
     Err(Error::input(format!(
         "unit `{}`: `{}`: this program was built without the means to run FMUs: \
          build it with `cargo build --release --features fmi-import`",

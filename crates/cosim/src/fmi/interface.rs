@@ -6,6 +6,7 @@ use cordon_spec::Phase;
 
 use crate::control::{Control, Gains};
 use crate::coordination::{Coordination, Exchange, Law, OnLoss, Settings};
+use crate::fingerprint::Fingerprint;
 use crate::plant::{Integrator, Plant};
 use crate::quotient::Quotient;
 use crate::unit::{Causality, Dimension, Resumable, Value, Variable};
@@ -151,13 +152,13 @@ impl Model {
     pub fn token(self, version: FmiVersion) -> String {
         let mut print = Fingerprint::default();
         for v in self.variables() {
-            print.add(&v.name);
-            print.add(v.dimension.0);
-            print.add(v.causality.name());
-            print.add(&v.kind().to_string());
-            print.add(&v.start.to_string());
+            print.add_text(&v.name);
+            print.add_text(v.dimension.0);
+            print.add_text(v.causality.name());
+            print.add_text(&v.kind().to_string());
+            print.add_text(&v.start.to_string());
         }
-        format!("cordon-fmi{}:{}:{:016x}", version.name(), self.identifier(), print.0)
+        format!("cordon-fmi{}:{}:{}", version.name(), self.identifier(), print.hex())
     }
 }
 
@@ -191,24 +192,6 @@ fn default_settings(exchange: Exchange) -> Settings {
         phase: Phase::First,
         exchange,
         on_loss: OnLoss::default(),
-    }
-}
-
-/// A 64-bit FNV-1a hash of texts: no protection against malice, enough against mistakes.
-struct Fingerprint(u64);
-
-impl Default for Fingerprint {
-    fn default() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
-    }
-}
-
-impl Fingerprint {
-    fn add(&mut self, text: &str) {
-        // A byte that no text has separates them.
-        for byte in text.bytes().chain([0xff]) {
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
     }
 }
 

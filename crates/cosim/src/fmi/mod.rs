@@ -18,3 +18,5 @@ pub mod interface;
 pub mod package;
 pub mod slave;
 pub mod snapshot;
+#[cfg(feature = "package")]
+pub(crate) mod units;

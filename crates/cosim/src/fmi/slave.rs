@@ -16,14 +16,14 @@ use cordon_core::exact::{self, Rational};
 
 /// Why a call was refused.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fault {
+pub struct Refusal {
     /// How bad it is.
     pub severity: Severity,
     /// In the user's words.
     pub message: String,
 }
 
-/// How bad a fault is.
+/// How bad it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Severity {
     /// The call was refused; the instance is as it was.
@@ -32,7 +32,7 @@ pub enum Severity {
     Fatal,
 }
 
-impl Fault {
+impl Refusal {
     /// A refused call.
     pub fn error(message: impl Into<String>) -> Self {
         Self { severity: Severity::Error, message: message.into() }
@@ -44,7 +44,7 @@ impl Fault {
     }
 }
 
-impl From<UnitError> for Fault {
+impl From<UnitError> for Refusal {
     fn from(e: UnitError) -> Self {
         Self::error(e.to_string())
     }
@@ -80,10 +80,10 @@ impl Slave {
     ///
     /// # Errors
     /// No model of this binary has the identifier.
-    pub fn instantiate(version: FmiVersion, name: &str, token: &str) -> Result<Self, Fault> {
+    pub fn instantiate(version: FmiVersion, name: &str, token: &str) -> Result<Self, Refusal> {
         let model =
             Model::ALL.into_iter().find(|m| m.token(version) == token).ok_or_else(|| {
-                Fault::error(format!(
+                Refusal::error(format!(
                     "identifier `{token}`: no unit of this binary has it; \
                  expected binary and model description from the same export"
                 ))
@@ -123,15 +123,15 @@ impl Slave {
         self.mode = Mode::Fatal;
     }
 
-    fn expect_mode(&self, call: &str, allowed: &[Mode]) -> Result<(), Fault> {
+    fn expect_mode(&self, call: &str, allowed: &[Mode]) -> Result<(), Refusal> {
         if allowed.contains(&self.mode) {
             return Ok(());
         }
         let state = self.mode.name();
-        let fault = format!("{call}: the instance is {state}: the call is not allowed now");
+        let message = format!("{call}: the instance is {state}: the call is not allowed now");
         Err(match self.mode {
-            Mode::Fatal => Fault::fatal(fault),
-            _ => Fault::error(fault),
+            Mode::Fatal => Refusal::fatal(message),
+            _ => Refusal::error(message),
         })
     }
 
@@ -139,11 +139,11 @@ impl Slave {
     ///
     /// # Errors
     /// Wrong mode, or no finite time.
-    pub fn set_up(&mut self, start: f64, stop: Option<f64>) -> Result<(), Fault> {
+    pub fn set_up(&mut self, start: f64, stop: Option<f64>) -> Result<(), Refusal> {
         self.expect_mode("setting up the experiment", &[Mode::Instantiated])?;
         if !start.is_finite() || stop.is_some_and(|s| s.is_nan() || s < start) {
             let stop = stop.map(|s| format!(" to `{s}` s")).unwrap_or_default();
-            return Err(Fault::error(format!(
+            return Err(Refusal::error(format!(
                 "a run from `{start}` s{stop}: expected times in order"
             )));
         }
@@ -155,7 +155,7 @@ impl Slave {
     ///
     /// # Errors
     /// Wrong mode.
-    pub fn enter_initialisation(&mut self) -> Result<(), Fault> {
+    pub fn enter_initialisation(&mut self) -> Result<(), Refusal> {
         self.expect_mode("entering the initialisation", &[Mode::Instantiated])?;
         self.mode = Mode::Initialisation;
         self.stale = true;
@@ -166,7 +166,7 @@ impl Slave {
     ///
     /// # Errors
     /// Wrong mode, or a parameter outside its range.
-    pub fn exit_initialisation(&mut self) -> Result<(), Fault> {
+    pub fn exit_initialisation(&mut self) -> Result<(), Refusal> {
         self.expect_mode("leaving the initialisation", &[Mode::Initialisation])?;
         self.settle()?;
         self.mode = Mode::Step;
@@ -174,7 +174,7 @@ impl Slave {
     }
 
     /// Brings the unit up to date with what was set during the initialisation.
-    fn settle(&mut self) -> Result<(), Fault> {
+    fn settle(&mut self) -> Result<(), Refusal> {
         if self.mode == Mode::Initialisation && self.stale {
             let grid = grid(&self.tau)?;
             self.unit.initialise(&grid)?;
@@ -188,7 +188,7 @@ impl Slave {
     ///
     /// # Errors
     /// Wrong mode.
-    pub fn terminate(&mut self) -> Result<(), Fault> {
+    pub fn terminate(&mut self) -> Result<(), Refusal> {
         self.expect_mode("terminating", &[Mode::Initialisation, Mode::Step])?;
         self.mode = Mode::Terminated;
         Ok(())
@@ -198,7 +198,7 @@ impl Slave {
     ///
     /// # Errors
     /// The instance is of no more use.
-    pub fn reset(&mut self) -> Result<(), Fault> {
+    pub fn reset(&mut self) -> Result<(), Refusal> {
         let allowed = [Mode::Instantiated, Mode::Initialisation, Mode::Step, Mode::Terminated];
         self.expect_mode("resetting", &allowed)?;
         self.unit = self.model.unit(&self.name);
@@ -211,11 +211,11 @@ impl Slave {
         Ok(())
     }
 
-    fn variable(&self, reference: u32) -> Result<(usize, &Variable), Fault> {
+    fn variable(&self, reference: u32) -> Result<(usize, &Variable), Refusal> {
         let place = usize::try_from(reference).unwrap_or(usize::MAX);
         self.variables.get(place).map(|v| (place, v)).ok_or_else(|| {
             let count = self.variables.len();
-            Fault::error(format!("value reference {reference}: expected less than {count}"))
+            Refusal::error(format!("value reference {reference}: expected less than {count}"))
         })
     }
 
@@ -223,18 +223,18 @@ impl Slave {
     ///
     /// # Errors
     /// No such variable, not now, another type, no finite number, out of range.
-    pub fn set(&mut self, reference: u32, value: &Value) -> Result<(), Fault> {
+    pub fn set(&mut self, reference: u32, value: &Value) -> Result<(), Refusal> {
         let (place, variable) = self.variable(reference)?;
         let allowed: &[Mode] = match variable.causality {
             Causality::Parameter => &[Mode::Instantiated, Mode::Initialisation],
             _ => &[Mode::Instantiated, Mode::Initialisation, Mode::Step],
         };
-        let named = |what: &str| Fault::error(format!("variable `{}`: {what}", variable.name));
+        let named = |what: &str| Refusal::error(format!("variable `{}`: {what}", variable.name));
         self.expect_mode(&format!("setting `{}`", variable.name), allowed)?;
         let value = match (variable.kind(), value) {
             (Kind::Exact, Value::Text(text)) => {
                 let number = exact::parse(&variable.name, text);
-                Value::Exact(Quotient::from(&number.map_err(|e| Fault::error(e.to_string()))?))
+                Value::Exact(Quotient::from(&number.map_err(|e| Refusal::error(e.to_string()))?))
             }
             (_, Value::Real(x)) if !x.is_finite() => {
                 return Err(named(&format!("`{x}`: expected a finite number")));
@@ -257,18 +257,18 @@ impl Slave {
         Ok(())
     }
 
-    fn get(&mut self, reference: u32, wanted: &[Kind]) -> Result<Value, Fault> {
+    fn get(&mut self, reference: u32, wanted: &[Kind]) -> Result<Value, Refusal> {
         let (place, variable) = self.variable(reference)?;
         let kind = variable.kind();
         if !wanted.contains(&kind) {
             let name = &variable.name;
-            return Err(Fault::error(format!("variable `{name}`: its type is {kind}")));
+            return Err(Refusal::error(format!("variable `{name}`: its type is {kind}")));
         }
         if variable.name == TAU {
             return Ok(Value::Exact(Quotient::from(&self.tau)));
         }
         if self.mode == Mode::Fatal {
-            return Err(Fault::fatal("reading: the instance is of no more use"));
+            return Err(Refusal::fatal("reading: the instance is of no more use"));
         }
         self.settle()?;
         Ok(self.unit.get(place)?)
@@ -278,7 +278,7 @@ impl Slave {
     ///
     /// # Errors
     /// No such variable, or another type.
-    pub fn real(&mut self, reference: u32) -> Result<f64, Fault> {
+    pub fn real(&mut self, reference: u32) -> Result<f64, Refusal> {
         if usize::try_from(reference) == Ok(self.variables.len()) {
             return Ok(self.time());
         }
@@ -292,7 +292,7 @@ impl Slave {
     ///
     /// # Errors
     /// No such variable, or another type.
-    pub fn integer(&mut self, reference: u32) -> Result<i64, Fault> {
+    pub fn integer(&mut self, reference: u32) -> Result<i64, Refusal> {
         match self.get(reference, &[Kind::Integer])? {
             Value::Integer(n) => Ok(n),
             other => Err(unexpected(&other)),
@@ -303,7 +303,7 @@ impl Slave {
     ///
     /// # Errors
     /// No such variable, or another type.
-    pub fn boolean(&mut self, reference: u32) -> Result<bool, Fault> {
+    pub fn boolean(&mut self, reference: u32) -> Result<bool, Refusal> {
         match self.get(reference, &[Kind::Boolean])? {
             Value::Boolean(b) => Ok(b),
             other => Err(unexpected(&other)),
@@ -314,7 +314,7 @@ impl Slave {
     ///
     /// # Errors
     /// No such variable, or another type.
-    pub fn text(&mut self, reference: u32) -> Result<String, Fault> {
+    pub fn text(&mut self, reference: u32) -> Result<String, Refusal> {
         Ok(self.get(reference, &[Kind::Text, Kind::Exact])?.to_string())
     }
 
@@ -326,33 +326,33 @@ impl Slave {
     /// # Errors
     /// Wrong mode, another time, a step that tau does not divide, a step beyond the end of the
     /// run, or the unit cannot compute it.
-    pub fn do_step(&mut self, point: f64, size: f64) -> Result<(), Fault> {
+    pub fn do_step(&mut self, point: f64, size: f64) -> Result<(), Refusal> {
         self.expect_mode("stepping", &[Mode::Step])?;
         let Some(grid) = &self.grid else {
-            return Err(Fault::fatal("stepping: the instance was never initialised"));
+            return Err(Refusal::fatal("stepping: the instance was never initialised"));
         };
         let (tau, now) = (grid.tau_f64(), self.time());
         if (point - now).is_nan() || (point - now).abs() >= tau / 2.0 {
-            return Err(Fault::error(format!(
+            return Err(Refusal::error(format!(
                 "a step from `{point}` s: expected `{now}` s, the end of the last step"
             )));
         }
         let count = (size / tau).round();
         if !(count >= 1.0 && (size / tau - count).abs() <= STEP_NOISE * count) {
-            return Err(Fault::error(format!(
+            return Err(Refusal::error(format!(
                 "a step of `{size}` s: expected a whole multiple of the parameter `{TAU}`, `{}` s",
                 self.tau
             )));
         }
         if self.stop_time.is_some_and(|stop| now + size > stop + tau / 2.0) {
-            return Err(Fault::error(format!(
+            return Err(Refusal::error(format!(
                 "a step of `{size}` s from `{now}` s: goes beyond the end of the run"
             )));
         }
         // In range: more steps than the grid has are refused in the loop.
         for _ in 0..count as u64 {
             if self.step >= grid.steps() {
-                return Err(Fault::error(format!("the run is longer than {MAX_STEPS} steps")));
+                return Err(Refusal::error(format!("the run is longer than {MAX_STEPS} steps")));
             }
             self.unit.do_step(grid, self.step)?;
             self.step += 1;
@@ -364,7 +364,7 @@ impl Slave {
     ///
     /// # Errors
     /// The instance is of no more use.
-    pub fn save(&self) -> Result<Snapshot, Fault> {
+    pub fn save(&self) -> Result<Snapshot, Refusal> {
         let allowed = [Mode::Instantiated, Mode::Initialisation, Mode::Step, Mode::Terminated];
         self.expect_mode("keeping the state", &allowed)?;
         let mut settable = Vec::with_capacity(self.variables.len());
@@ -390,16 +390,16 @@ impl Slave {
     ///
     /// # Errors
     /// The state of another FMU, or one that was tampered with.
-    pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), Fault> {
+    pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), Refusal> {
         if self.mode == Mode::Fatal {
-            return Err(Fault::fatal("going back: the instance is of no more use"));
+            return Err(Refusal::fatal("going back: the instance is of no more use"));
         }
         if snapshot.token != self.token {
-            return Err(Fault::error("this is the state of another FMU"));
+            return Err(Refusal::error("this is the state of another FMU"));
         }
         let mut back = Self::instantiate_like(self);
         if snapshot.settable.len() != back.variables.len() {
-            return Err(Fault::error("this state has another number of variables"));
+            return Err(Refusal::error("this state has another number of variables"));
         }
         for (reference, value) in (0..).zip(&snapshot.settable) {
             if let Some(value) = value {
@@ -443,15 +443,15 @@ impl Slave {
     ///
     /// # Errors
     /// No such form, or the state of another FMU.
-    pub fn snapshot_from_bytes(&self, bytes: &[u8]) -> Result<Snapshot, Fault> {
-        Snapshot::from_bytes(&self.token, bytes).map_err(Fault::error)
+    pub fn snapshot_from_bytes(&self, bytes: &[u8]) -> Result<Snapshot, Refusal> {
+        Snapshot::from_bytes(&self.token, bytes).map_err(Refusal::error)
     }
 }
 
-fn grid(tau: &Rational) -> Result<Grid, Fault> {
-    Grid::new(tau.clone(), MAX_STEPS).map_err(|e| Fault::error(e.to_string()))
+fn grid(tau: &Rational) -> Result<Grid, Refusal> {
+    Grid::new(tau.clone(), MAX_STEPS).map_err(|e| Refusal::error(e.to_string()))
 }
 
-fn unexpected(value: &Value) -> Fault {
-    Fault::error(format!("the unit gave `{value}`, of another type than it says"))
+fn unexpected(value: &Value) -> Refusal {
+    Refusal::error(format!("the unit gave `{value}`, of another type than it says"))
 }

@@ -4,14 +4,15 @@
 pub mod into_cps;
 pub mod ssp;
 
+use crate::cosimulation::Cosimulation;
 use crate::fmi::interface::{Model, TAU, default_tau};
 use crate::master::Algorithm;
-use crate::swarm::Swarm;
+use crate::seat::Seat;
 use crate::unit::{Causality, Unit, Value};
 use crate::wiring::Port;
 use cordon_core::exact::Rational;
 use cordon_core::{Error, Result};
-use cordon_run::scenario::Protocol;
+use cordon_run::scenario::{Protocol, UnitName};
 
 /// Instances of exported units and what is connected with what.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +23,7 @@ pub struct Assembly {
     pub tau: Rational,
     /// Number of communication steps.
     pub steps: u64,
-    /// The instances: for drone i coordination, control and plant at 3 i and after.
+    /// The instances, every one at its [`Seat`].
     pub instances: Vec<Instance>,
     /// From output to input.
     pub connections: Vec<(End, End)>,
@@ -55,15 +56,15 @@ impl Assembly {
     /// # Errors
     /// It has what other tools' masters do not: another protocol than coverage, faults, a
     /// Gauss-Seidel master.
-    pub fn of(swarm: &Swarm) -> Result<Self> {
+    pub fn of(swarm: &Cosimulation) -> Result<Self> {
         expect_plain(swarm)?;
         let wiring = swarm.wiring()?;
         let mut instances = Vec::with_capacity(wiring.units().len());
-        for (place, unit) in wiring.units().iter().enumerate() {
-            let model = match place % 3 {
-                0 => Model::Coordination(swarm.exchange.into()),
-                1 => Model::Control,
-                _ => Model::Plant,
+        for (seat, unit) in Seat::all(swarm.count()).zip(wiring.units()) {
+            let model = match seat.unit {
+                UnitName::Coordination => Model::Coordination(swarm.exchange.into()),
+                UnitName::Control => Model::Control,
+                UnitName::Plant => Model::Plant,
             };
             let mut settings = parameters(model, unit.as_ref())?;
             if *swarm.grid.tau() != default_tau() {
@@ -122,7 +123,7 @@ impl Assembly {
     }
 }
 
-fn expect_plain(swarm: &Swarm) -> Result<()> {
+fn expect_plain(swarm: &Cosimulation) -> Result<()> {
     let protocol = &swarm.scenario.protocol;
     if !matches!(protocol, Protocol::Coverage { .. }) {
         return Err(Error::input(format!(

@@ -6,13 +6,15 @@ use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
 
 use super::{Assembly, Instance};
-use crate::fmi::description::base_units;
 use crate::fmi::interface::{FmiVersion, Model};
 use crate::fmi::package;
-use crate::unit::{Causality, Dimension, Kind, Value, Variable};
+use crate::fmi::units::{self, Xml, has_unit};
+use crate::unit::{Causality, Kind, Value, Variable};
 use cordon_core::exact;
 
-type Xml = Writer<Cursor<Vec<u8>>>;
+/// Elements of the list of units.
+const UNITS: units::Elements =
+    units::Elements { list: "ssd:Units", unit: "ssc:Unit", base: "ssc:BaseUnit" };
 
 /// The archive: `SystemStructure.ssd`, and an FMU of every model under `resources/`.
 ///
@@ -56,7 +58,9 @@ pub fn structure(assembly: &Assembly) -> Result<Vec<u8>> {
             xml.create_element("ssd:System")
                 .with_attribute(("name", "swarm"))
                 .write_inner_content(|xml| system(xml, assembly))?;
-            units(xml, assembly)?;
+            let variables: Vec<Variable> =
+                assembly.models().into_iter().flat_map(Model::variables).collect();
+            units::write(xml, &UNITS, variables.iter().filter(|v| is_connector(v)))?;
             let end = exact::to_f64(&assembly.end_time()).to_string();
             xml.create_element("ssd:DefaultExperiment")
                 .with_attribute(("startTime", "0"))
@@ -97,7 +101,7 @@ fn component(xml: &mut Xml, instance: &Instance) -> Result<()> {
         .write_inner_content(|xml| {
             xml.create_element("ssd:Connectors").write_inner_content(|xml| {
                 for variable in instance.model.variables() {
-                    if matches!(variable.causality, Causality::Input | Causality::Output) {
+                    if is_connector(&variable) {
                         connector(xml, &variable)?;
                     }
                 }
@@ -158,6 +162,10 @@ fn value_element(value: &Value) -> &'static str {
     }
 }
 
+fn is_connector(variable: &Variable) -> bool {
+    matches!(variable.causality, Causality::Input | Causality::Output)
+}
+
 fn connector(xml: &mut Xml, variable: &Variable) -> Result<()> {
     xml.create_element("ssd:Connector")
         .with_attribute(("name", variable.name.as_str()))
@@ -175,37 +183,5 @@ fn connector(xml: &mut Xml, variable: &Variable) -> Result<()> {
             kind.write_empty()?;
             Ok(())
         })?;
-    Ok(())
-}
-
-fn has_unit(variable: &Variable) -> bool {
-    variable.kind() == Kind::Real && variable.dimension != Dimension::NONE
-}
-
-fn units(xml: &mut Xml, assembly: &Assembly) -> Result<()> {
-    let mut symbols: Vec<&str> = assembly
-        .models()
-        .into_iter()
-        .flat_map(Model::variables)
-        .filter(|v| matches!(v.causality, Causality::Input | Causality::Output) && has_unit(v))
-        .map(|v| v.dimension.0)
-        .collect();
-    symbols.sort_unstable();
-    symbols.dedup();
-    xml.create_element("ssd:Units").write_inner_content(|xml| {
-        for symbol in symbols {
-            xml.create_element("ssc:Unit").with_attribute(("name", symbol)).write_inner_content(
-                |xml| {
-                    let mut base = xml.create_element("ssc:BaseUnit");
-                    for (unit, exponent) in base_units(symbol) {
-                        base = base.with_attribute((unit.as_str(), exponent.to_string().as_str()));
-                    }
-                    base.write_empty()?;
-                    Ok(())
-                },
-            )?;
-        }
-        Ok(())
-    })?;
     Ok(())
 }

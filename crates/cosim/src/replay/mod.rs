@@ -106,17 +106,18 @@ fn looked_for(record: &Record) -> Vec<Event> {
 fn setup(record: &Record, every: usize) -> String {
     let mut text = match &record.setup {
         Some(s) => format!(
-            "{}, {} drones, eps = {}, an update every {} of {} s; {} plant, {} master",
+            "{}, {} drones, eps = {}, {}; {}",
             s.protocol,
             record.count,
             s.weight,
-            if s.period == 1 { "tick".to_owned() } else { format!("{} ticks", s.period) },
-            s.tau,
-            s.integrator,
-            s.master
+            s.rhythm(),
+            s.flown_with()
         ),
         None => format!("{} drones", record.count),
     };
+    if let Some(why) = &record.broken_off {
+        text.push_str(&format!("; broken off: {why}"));
+    }
     if every > 1 {
         text.push_str(&format!("; every {every}th sample is shown"));
     }

@@ -55,6 +55,8 @@ pub(super) fn parse(name: &str, text: &str) -> Result<Record> {
         actual: Vec::new(),
         events: None,
         setup: None,
+        notes: Vec::new(),
+        broken_off: None,
     };
     for (text, line) in lines {
         let fields = text.split(',').count();

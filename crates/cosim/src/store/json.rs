@@ -5,11 +5,14 @@ use std::io::Write;
 use serde::{Deserialize, Serialize};
 
 use crate::collision::{Event, EventKind};
-use crate::record::{Record, Setup};
+use crate::fingerprint::Fingerprint;
+use crate::record::{Flown, Record, Setup};
 use cordon_core::exact;
 use cordon_core::{Error, Result};
 
 const SCHEMA: &str = "cordon-cosim/1";
+
+const COMPANION_SCHEMA: &str = "cordon-cosim-companion/1";
 
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -22,6 +25,26 @@ struct Page {
     desired: Vec<Vec<f64>>,
     actual: Vec<Vec<f64>>,
     events: Option<Vec<EventPage>>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    broken_off: Option<String>,
+}
+
+/// What a run file of columns cannot say, in a file beside it.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Companion {
+    schema: String,
+    /// Fingerprint of the run file.
+    of: String,
+    title: String,
+    setup: Option<SetupPage>,
+    events: Option<Vec<EventPage>>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    broken_off: Option<String>,
 }
 
 /// Exact numbers are text: fractions.
@@ -35,6 +58,17 @@ struct SetupPage {
     tau: String,
     integrator: String,
     master: String,
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    recorded: bool,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    fmus: Vec<FlownPage>,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FlownPage {
+    unit: String,
+    fmu: String,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -58,11 +92,63 @@ pub fn json(record: &Record, out: &mut dyn Write) -> Result<()> {
         time: record.times.clone(),
         desired: (0..record.rows()).map(|row| record.desired_at(row).to_vec()).collect(),
         actual: (0..record.rows()).map(|row| record.actual_at(row).to_vec()).collect(),
-        events: record.events.as_ref().map(|events| events.iter().map(event_page).collect()),
+        events: event_pages(record),
+        notes: record.notes.clone(),
+        broken_off: record.broken_off.clone(),
     };
     serde_json::to_writer(&mut *out, &page).map_err(std::io::Error::from)?;
     writeln!(out)?;
     Ok(())
+}
+
+/// What the columns of a run with this fingerprint do not say.
+pub(super) fn companion(record: &Record, of: Fingerprint) -> Result<Vec<u8>> {
+    let companion = Companion {
+        schema: COMPANION_SCHEMA.to_owned(),
+        of: of.hex(),
+        title: record.title.clone(),
+        setup: record.setup.as_ref().map(setup_page),
+        events: event_pages(record),
+        notes: record.notes.clone(),
+        broken_off: record.broken_off.clone(),
+    };
+    let mut text = serde_json::to_vec_pretty(&companion).map_err(std::io::Error::from)?;
+    text.push(b'\n');
+    Ok(text)
+}
+
+/// Adds to a record what [`companion`] wrote. `name` stands for the companion in messages.
+pub(super) fn accompany(
+    record: &mut Record,
+    of: Fingerprint,
+    name: &str,
+    text: &str,
+) -> Result<()> {
+    let fail = |what: String| Error::input(format!("`{name}`: {what}"));
+    let companion: Companion = serde_json::from_str(text)
+        .map_err(|e| fail(format!("{e}: expected schema {COMPANION_SCHEMA}")))?;
+    if companion.schema != COMPANION_SCHEMA {
+        let found = companion.schema;
+        return Err(fail(format!("schema: `{found}`: expected `{COMPANION_SCHEMA}`")));
+    }
+    if companion.of != of.hex() {
+        return Err(fail(
+            "belongs to another run: expected that of the run file beside it; \
+             without it the positions alone are read"
+                .to_owned(),
+        ));
+    }
+    record.title = companion.title;
+    record.setup =
+        companion.setup.map(|s| setup(s).map_err(|e| fail(e.to_string()))).transpose()?;
+    record.events = events(companion.events, record.count).map_err(fail)?;
+    record.notes = companion.notes;
+    record.broken_off = companion.broken_off;
+    Ok(())
+}
+
+fn event_pages(record: &Record) -> Option<Vec<EventPage>> {
+    record.events.as_ref().map(|events| events.iter().map(event_page).collect())
 }
 
 fn setup_page(s: &Setup) -> SetupPage {
@@ -74,6 +160,12 @@ fn setup_page(s: &Setup) -> SetupPage {
         tau: s.tau.to_string(),
         integrator: s.integrator.clone(),
         master: s.master.clone(),
+        recorded: s.recorded,
+        fmus: s
+            .fmus
+            .iter()
+            .map(|f| FlownPage { unit: f.unit.clone(), fmu: f.fmu.clone() })
+            .collect(),
     }
 }
 
@@ -98,20 +190,23 @@ pub(super) fn parse(name: &str, text: &str) -> Result<Record> {
             None => Ok(rows.concat()),
         }
     };
-    let events = page.events.map(|events| {
-        events.into_iter().map(|e| event(e, page.drones).map_err(fail)).collect::<Result<_>>()
-    });
     let record = Record {
         title: page.title,
         count: page.drones,
         times: page.time,
         desired: flat("desired", page.desired)?,
         actual: flat("actual", page.actual)?,
-        events: events.transpose()?,
+        events: events(page.events, page.drones).map_err(fail)?,
         setup: page.setup.map(|s| setup(s).map_err(|e| fail(e.to_string()))).transpose()?,
+        notes: page.notes,
+        broken_off: page.broken_off,
     };
     super::check(name, &record)?;
     Ok(record)
+}
+
+fn events(pages: Option<Vec<EventPage>>, count: usize) -> Result<Option<Vec<Event>>, String> {
+    pages.map(|pages| pages.into_iter().map(|e| event(e, count)).collect()).transpose()
 }
 
 fn event(e: EventPage, count: usize) -> Result<Event, String> {
@@ -140,5 +235,7 @@ fn setup(s: SetupPage) -> Result<Setup> {
         period: s.period,
         integrator: s.integrator,
         master: s.master,
+        recorded: s.recorded,
+        fmus: s.fmus.into_iter().map(|f| Flown { unit: f.unit, fmu: f.fmu }).collect(),
     })
 }

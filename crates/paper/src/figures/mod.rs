@@ -10,9 +10,9 @@ use cordon_spec::{Phase, Scalar};
 use cordon_core::exact::Rational;
 use cordon_core::{Result, files};
 use cordon_cosim::collision::{Event, EventKind};
+use cordon_cosim::cosimulation::Cosimulation;
 use cordon_cosim::record::Record;
 use cordon_cosim::run;
-use cordon_cosim::swarm::Swarm;
 use cordon_run::scenario::{Flight, Protocol, Scenario, Topology};
 
 /// A form of a figure.
@@ -151,7 +151,7 @@ impl Figure {
 
     /// The paper's swarm with weight eps = tenths/10 and the period that the paper ties to it,
     /// eps seconds of 0.05 s ticks.
-    fn swarm(&self, tenths: i32) -> Result<Swarm> {
+    fn swarm(&self, tenths: i32) -> Result<Cosimulation> {
         let start: Vec<_> = [0, 10, 20, 30, 100].map(Rational::from_int).into();
         let protocol = if self.consensus {
             Protocol::Consensus { graph: Topology::Path(start.len()) }
@@ -169,7 +169,7 @@ impl Figure {
             steps: 0,
         };
         let duration = Some(Rational::from_int(self.seconds));
-        Swarm::new(scenario, Flight { duration, ..Flight::default() })
+        Cosimulation::new(scenario, Flight { duration, ..Flight::default() })
     }
 
     /// The name of the figure's file.

@@ -49,7 +49,7 @@ pub struct Substitute {
 }
 
 /// The units of a drone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum UnitName {
     /// Its share of the protocol.
     Coordination,
@@ -62,6 +62,15 @@ pub enum UnitName {
 impl UnitName {
     /// All of them, in the order in which a drone has them.
     pub const ALL: [Self; 3] = [Self::Coordination, Self::Control, Self::Plant];
+
+    /// Its place in [`UnitName::ALL`].
+    pub fn place(self) -> usize {
+        match self {
+            Self::Coordination => 0,
+            Self::Control => 1,
+            Self::Plant => 2,
+        }
+    }
 
     /// Its name in scenario files and messages.
     pub fn name(self) -> &'static str {

@@ -3,11 +3,13 @@
 use std::collections::BTreeMap;
 
 use crate::fmi::archive::{Fmu, FmuVariable};
+use crate::fmi::units::{Conversion, Si};
 use crate::unit::{Causality, Kind, Unit, Variable};
 use cordon_core::{Error, Result};
 
 /// A variable of a unit and the FMU's variable that stands for it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(not(feature = "fmi-import"), allow(dead_code, reason = "read where FMUs run"))]
 pub(super) struct Counterpart {
     /// Place in the unit's table.
     pub place: usize,
@@ -16,22 +18,24 @@ pub(super) struct Counterpart {
     /// Its type.
     pub kind: Kind,
     /// The FMU's variable.
-    pub reference: u32,
-    /// Its type in the FMU's words.
-    pub fmu_kind: String,
+    pub theirs: FmuVariable,
+    /// From its unit to the unit's, where they differ.
+    pub conversion: Option<Conversion>,
+}
+
+/// The counterparts, and what the user should know about them.
+pub(super) struct Map {
+    pub counterparts: Vec<Counterpart>,
+    pub notes: Vec<String>,
 }
 
 /// Finds the counterparts by name: every input and output has to have one; parameters that the
 /// FMU does not have are its own affair.
 ///
 /// # Errors
-/// An input or output without a counterpart, or one of another causality, type or physical
-/// unit; a name that the unit does not know.
-pub(super) fn map(
-    unit: &dyn Unit,
-    fmu: &Fmu,
-    names: &BTreeMap<String, String>,
-) -> Result<Vec<Counterpart>> {
+/// An input or output without a counterpart, or a counterpart of another causality, type or
+/// physical unit; two variables with one counterpart; a name that the unit does not know.
+pub(super) fn map(unit: &dyn Unit, fmu: &Fmu, names: &BTreeMap<String, String>) -> Result<Map> {
     let fail = |variable: &str, what: String| {
         Error::input(format!(
             "unit `{}`, variable `{variable}`: `{}`: {what}",
@@ -42,7 +46,8 @@ pub(super) fn map(
     if let Some(name) = names.keys().find(|n| !unit.variables().iter().any(|v| v.name == **n)) {
         return Err(fail(name, "is no variable of this unit".to_owned()));
     }
-    let mut found = Vec::new();
+    let mut map = Map { counterparts: Vec::new(), notes: Vec::new() };
+    let mut taken: BTreeMap<&str, &str> = BTreeMap::new();
     for (place, variable) in unit.variables().iter().enumerate() {
         let name = names.get(&variable.name).unwrap_or(&variable.name);
         let wanted = match variable.causality {
@@ -58,42 +63,63 @@ pub(super) fn map(
             }
             continue;
         };
-        match mismatch(variable, theirs) {
-            None => found.push(Counterpart {
-                place,
-                causality: variable.causality,
-                kind: variable.kind(),
-                reference: theirs.reference,
-                fmu_kind: theirs.kind.clone(),
-            }),
-            Some(what) if wanted => return Err(fail(&variable.name, what)),
-            // A parameter that happens to have the same name.
-            Some(_) => {}
+        if !wanted && theirs.causality != Causality::Parameter.name() {
+            let what = format!("`{name}` is {}, no parameter: it is not set", theirs.causality);
+            map.notes.push(what);
+            continue;
         }
+        let conversion = compared(variable, theirs).map_err(|what| fail(&variable.name, what))?;
+        if let Some(other) = taken.insert(&theirs.name, &variable.name) {
+            let what = format!("`{name}` stands for `{other}` already: expected one for each");
+            return Err(fail(&variable.name, what));
+        }
+        let conversion = conversion.filter(|c| !c.is_identity());
+        if let (Some(_), Some(unit)) = (conversion, &theirs.unit) {
+            let what =
+                format!("`{name}` is in `{}`: converted to `{}`", unit.name, variable.dimension);
+            map.notes.push(what);
+        }
+        map.counterparts.push(Counterpart {
+            place,
+            causality: variable.causality,
+            kind: variable.kind(),
+            theirs: theirs.clone(),
+            conversion,
+        });
     }
-    Ok(found)
+    Ok(map)
 }
 
-/// What keeps a variable from standing for another.
-fn mismatch(ours: &Variable, theirs: &FmuVariable) -> Option<String> {
+/// Compares a variable with its counterpart: the conversion of its values, or what keeps one
+/// from standing for the other.
+fn compared(ours: &Variable, theirs: &FmuVariable) -> Result<Option<Conversion>, String> {
     let name = &theirs.name;
     if theirs.causality != ours.causality.name() {
         let (found, expected) = (&theirs.causality, ours.causality.name());
-        return Some(format!("`{name}` is {found}: expected {expected}"));
+        return Err(format!("`{name}` is {found}: expected {expected}"));
     }
     let kinds: &[&str] = match ours.kind() {
-        Kind::Real => &["Real", "Float64"],
-        Kind::Integer => &["Integer", "Int64", "Int32"],
+        Kind::Real => &["Real", "Float64", "Float32"],
+        Kind::Integer => {
+            &["Integer", "Int64", "Int32", "Int16", "Int8", "UInt64", "UInt32", "UInt16", "UInt8"]
+        }
         Kind::Boolean => &["Boolean"],
         Kind::Text | Kind::Exact => &["String"],
     };
     if !kinds.contains(&theirs.kind.as_str()) {
-        return Some(format!("`{name}` has type {}: expected {}", theirs.kind, kinds.join(" or ")));
+        return Err(format!("`{name}` has type {}: expected {}", theirs.kind, kinds.join(" or ")));
     }
-    match &theirs.unit {
-        Some(unit) if ours.kind() == Kind::Real && *unit != ours.dimension.0 => {
-            Some(format!("`{name}` is in `{unit}`: expected `{}`", ours.dimension))
-        }
-        _ => None,
+    if theirs.is_array {
+        return Err(format!("`{name}` is an array: expected a single value"));
+    }
+    let Some(unit) = theirs.unit.as_ref().filter(|_| ours.kind() == Kind::Real) else {
+        return Ok(None);
+    };
+    let found = &unit.name;
+    let refused = || format!("`{name}` is in `{found}`: expected `{}`", ours.dimension);
+    match (Si::named(ours.dimension.0), &unit.si) {
+        (Some(si), Some(theirs)) => si.from(theirs, found).map(Some).ok_or_else(refused),
+        _ if found == ours.dimension.0 => Ok(None),
+        _ => Err(refused()),
     }
 }

@@ -1,106 +1,149 @@
 //! A unit with an FMU behind it.
 
-use std::sync::mpsc::{Receiver, Sender, channel};
-use std::thread::JoinHandle;
+use cordon_fmi::fmu::{self, Datum, Type, Version};
+use cordon_fmi::instance::Instance;
+use cordon_fmi::message::{Answer, Beginning};
+#[cfg(unix)]
+use cordon_fmi::remote::Remote;
+use tempfile::TempDir;
 
-use super::adapter::Counterpart;
-use super::session::{Order, Session};
-use crate::fmi::archive::Fmu;
+use super::Isolation;
+use super::adapter::{Counterpart, Map};
+use crate::fmi::archive::{Fmu, FmuVariable};
+use crate::fmi::interface::FmiVersion;
 use crate::grid::Grid;
 use crate::quotient::Quotient;
 use crate::unit::{
     Causality, Kind, Unit, UnitError, Value, Variable, at_variable, no_such_variable, not_settable,
     wrong_kind,
 };
-use cordon_core::{Error, Result, exact};
+use cordon_core::{Result, exact};
+
+/// Most notes that are kept of a run.
+const MOST_NOTES: usize = 20;
 
 /// A unit with an FMU behind it.
-///
-/// The FMU lives on a thread of its own: pointers into foreign libraries do not travel between
-/// threads, units do.
 pub(super) struct Foreign {
     name: String,
     fmu: String,
     variables: Vec<Variable>,
     /// Values of all variables: as set, as last read.
     values: Vec<Value>,
-    map: Vec<Counterpart>,
-    worker: Worker,
+    counterparts: Vec<Counterpart>,
+    notes: Vec<String>,
+    session: Session,
+    /// The unpacked archive, which goes after the session that uses it.
+    _folder: TempDir,
 }
 
-/// The thread of an FMU: it ends when no more orders can come.
-struct Worker {
-    orders: Option<Sender<Order>>,
-    answers: Receiver<Result<Vec<Value>, String>>,
-    thread: Option<JoinHandle<()>>,
+/// Where the instance is.
+enum Session {
+    Here(Box<Instance>),
+    #[cfg(unix)]
+    There(Remote),
+}
+
+impl Session {
+    fn load(isolation: &Isolation, fmu: fmu::Fmu) -> Result<Self, String> {
+        match isolation {
+            Isolation::InProcess => Ok(Self::Here(Box::new(Instance::load(&fmu)?))),
+            #[cfg(unix)]
+            Isolation::Process { program, arguments, limit } => {
+                let mut command = std::process::Command::new(program);
+                command.args(arguments);
+                Ok(Self::There(Remote::load(command, fmu, *limit)?))
+            }
+            #[cfg(not(unix))]
+            Isolation::Process { .. } => {
+                Err("this system runs FMUs with `--in-process` only".to_owned())
+            }
+        }
+    }
+
+    fn initialise(&mut self, beginning: Beginning) -> Answer {
+        match self {
+            Self::Here(instance) => instance.initialise(beginning),
+            #[cfg(unix)]
+            Self::There(remote) => remote.initialise(beginning),
+        }
+    }
+
+    fn step(&mut self, from: f64, size: f64, inputs: Vec<Datum>) -> Answer {
+        match self {
+            Self::Here(instance) => instance.step(from, size, &inputs),
+            #[cfg(unix)]
+            Self::There(remote) => remote.step(from, size, inputs),
+        }
+    }
 }
 
 impl Foreign {
     /// Loads an FMU in the place of `unit`, whose parameters it gets as far as it has them.
-    pub(super) fn new(fmu: Fmu, unit: &dyn Unit, map: Vec<Counterpart>) -> Result<Self> {
-        super::log::listen();
+    pub(super) fn new(isolation: &Isolation, fmu: Fmu, unit: &dyn Unit, map: Map) -> Result<Self> {
         let mut values = Vec::with_capacity(unit.variables().len());
         for place in 0..unit.variables().len() {
             values.push(unit.get(place)?);
         }
-        let name = unit.name().to_owned();
-        let path = fmu.path.display().to_string();
-        let (orders, inbox) = channel();
-        let (outbox, answers) = channel();
-        let (at, instance) = (fmu.path.clone(), name.clone());
-        let thread = std::thread::Builder::new().name(name.clone()).spawn(move || {
-            let mut session = Session::load(&fmu, &instance);
-            for order in inbox {
-                let answer = match &mut session {
-                    Ok(session) => session.carry_out(&order),
-                    Err(why) => Err(why.clone()),
-                };
-                if outbox.send(answer).is_err() {
-                    break;
-                }
-            }
-        });
-        let thread = Some(thread.map_err(|e| Error::file("load", &at, e))?);
-        Ok(Self {
+        let (name, path) = (unit.name().to_owned(), fmu.path.display().to_string());
+        let failed = |what: String| UnitError::new(&name, None, format!("`{path}`: {what}"));
+        let folder = fmu.unpack()?;
+        let root = std::path::absolute(folder.path()).map_err(|e| failed(e.to_string()))?;
+        let instance = fmu::Fmu {
+            binary: root.join(fmu.binary()?),
+            folder: root,
+            version: match fmu.version {
+                FmiVersion::V2 => Version::V2,
+                FmiVersion::V3 => Version::V3,
+            },
+            token: fmu.token.clone(),
+            name: name.clone(),
+        };
+        let session = Session::load(isolation, instance).map_err(failed)?;
+        let mut foreign = Self {
             name,
             fmu: path,
             variables: unit.variables().to_vec(),
             values,
-            map,
-            worker: Worker { orders: Some(orders), answers, thread },
-        })
+            counterparts: map.counterparts,
+            notes: Vec::new(),
+            session,
+            _folder: folder,
+        };
+        foreign.note(map.notes);
+        Ok(foreign)
     }
 
-    /// Sends an order with the present values; takes the outputs.
-    fn order(
-        &mut self,
-        of: Causality,
-        order: impl FnOnce(Vec<(Counterpart, Value)>, Vec<Counterpart>) -> Order,
-    ) -> Result<(), UnitError> {
-        let told = self
-            .map
-            .iter()
-            .filter(|c| {
-                c.causality == of || (of == Causality::Parameter && c.causality == Causality::Input)
-            })
-            .filter_map(|c| self.values.get(c.place).map(|v| (c.clone(), outward(v))))
-            .collect();
-        let outputs: Vec<Counterpart> =
-            self.map.iter().filter(|c| c.causality == Causality::Output).cloned().collect();
-        let sent = self.worker.orders.as_ref().map(|o| o.send(order(told, outputs.clone())));
-        let answer = match sent {
-            Some(Ok(())) => self.worker.answers.recv(),
-            _ => return Err(self.failed("its thread has ended")),
-        };
-        let read = match answer {
-            Ok(Ok(read)) => read,
-            Ok(Err(what)) => return Err(self.failed(&what)),
-            Err(_) => return Err(self.failed("its thread has ended")),
-        };
-        for (counterpart, value) in outputs.iter().zip(read) {
-            let value = self.inward(counterpart, value)?;
-            if let Some(place) = self.values.get_mut(counterpart.place) {
-                *place = value;
+    fn note(&mut self, notes: Vec<String>) {
+        for note in notes {
+            let length = self.notes.len();
+            if length < MOST_NOTES {
+                self.notes.push(format!("`{}`: {note}", self.fmu));
+            } else if length == MOST_NOTES {
+                self.notes.push(format!("`{}`: there is more", self.fmu));
+            }
+        }
+    }
+
+    /// The values of all variables that the FMU is told, with its names for them.
+    fn told(&self, causality: Causality) -> Vec<(fmu::Variable, Datum)> {
+        let counterparts = self.counterparts.iter().filter(|c| c.causality == causality);
+        let pair =
+            |c: &Counterpart| Some((foreign(&c.theirs)?, outward(c, self.values.get(c.place)?)));
+        counterparts.filter_map(pair).collect()
+    }
+
+    /// Takes an answer: the notes, and the outputs' values.
+    fn take(&mut self, answer: Answer, when: &str) -> Result<(), UnitError> {
+        self.note(answer.notes);
+        let read = answer.result.map_err(|what| self.failed(&format!("{when}{what}")))?;
+        let outputs = self.counterparts.iter().filter(|c| c.causality == Causality::Output);
+        let mut values = Vec::with_capacity(read.len());
+        for (counterpart, datum) in outputs.zip(read) {
+            values.push((counterpart.place, self.inward(counterpart, datum)?));
+        }
+        for (place, value) in values {
+            if let Some(slot) = self.values.get_mut(place) {
+                *slot = value;
             }
         }
         Ok(())
@@ -111,37 +154,54 @@ impl Foreign {
     }
 
     /// A value that the FMU gave, as the unit's type has it.
-    fn inward(&self, counterpart: &Counterpart, value: Value) -> Result<Value, UnitError> {
-        match (counterpart.kind, value) {
-            (Kind::Exact, Value::Text(text)) => match exact::parse("value", &text) {
+    fn inward(&self, counterpart: &Counterpart, datum: Datum) -> Result<Value, UnitError> {
+        match (counterpart.kind, datum) {
+            (Kind::Exact, Datum::Text(text)) => match exact::parse("value", &text) {
                 Ok(number) => Ok(Value::Exact(Quotient::from(&number))),
                 Err(_) => {
                     let what = format!("`{text}` from `{}`: expected a number p/q", self.fmu);
                     Err(at_variable(self, counterpart.place, what))
                 }
             },
-            (_, value) => Ok(value),
+            (_, Datum::Real(x)) => {
+                Ok(Value::Real(counterpart.conversion.map_or(x, |c| c.inward(x))))
+            }
+            (_, Datum::Integer(n)) => Ok(Value::Integer(n)),
+            (_, Datum::Boolean(b)) => Ok(Value::Boolean(b)),
+            (_, Datum::Text(t)) => Ok(Value::Text(t.into())),
         }
     }
 }
 
-/// A value as FMUs take it: exact numbers as text.
-fn outward(value: &Value) -> Value {
+/// A value as the FMU takes it: in its unit, exact numbers as text.
+fn outward(counterpart: &Counterpart, value: &Value) -> Datum {
     match value {
-        Value::Exact(x) => Value::Text(x.to_string().into()),
-        other => other.clone(),
+        Value::Real(x) => Datum::Real(counterpart.conversion.map_or(*x, |c| c.outward(*x))),
+        Value::Integer(n) => Datum::Integer(*n),
+        Value::Boolean(b) => Datum::Boolean(*b),
+        Value::Text(t) => Datum::Text(t.to_string()),
+        Value::Exact(x) => Datum::Text(x.to_string()),
     }
 }
 
-impl Drop for Worker {
-    fn drop(&mut self) {
-        // Without senders the thread's loop ends, and with it the FMU's instance.
-        self.orders = None;
-        if let Some(thread) = self.thread.take() {
-            // A panic over there has been reported there.
-            let _ = thread.join();
-        }
-    }
+/// A variable as the calls need it. (Types that there are no calls for were refused before.)
+fn foreign(variable: &FmuVariable) -> Option<fmu::Variable> {
+    let kind = match variable.kind.as_str() {
+        "Real" | "Float64" => Type::Float64,
+        "Float32" => Type::Float32,
+        "Int8" => Type::Int8,
+        "UInt8" => Type::UInt8,
+        "Int16" => Type::Int16,
+        "UInt16" => Type::UInt16,
+        "Integer" | "Int32" => Type::Int32,
+        "UInt32" => Type::UInt32,
+        "Int64" => Type::Int64,
+        "UInt64" => Type::UInt64,
+        "Boolean" => Type::Boolean,
+        "String" => Type::String,
+        _ => return None,
+    };
+    Some(fmu::Variable { name: variable.name.clone(), reference: variable.reference, kind })
 }
 
 impl Unit for Foreign {
@@ -175,12 +235,26 @@ impl Unit for Foreign {
     }
 
     fn initialise(&mut self, grid: &Grid) -> Result<(), UnitError> {
-        let stop = grid.time_f64(grid.steps());
-        self.order(Causality::Parameter, |set, get| Order::Initialise { set, get, stop })
+        let outputs = self.counterparts.iter().filter(|c| c.causality == Causality::Output);
+        let beginning = Beginning {
+            parameters: self.told(Causality::Parameter),
+            inputs: self.told(Causality::Input),
+            outputs: outputs.filter_map(|c| foreign(&c.theirs)).collect(),
+            stop: grid.time_f64(grid.steps()),
+        };
+        let answer = self.session.initialise(beginning);
+        self.take(answer, "")
     }
 
     fn do_step(&mut self, grid: &Grid, step: u64) -> Result<(), UnitError> {
         let (from, size) = (grid.time_f64(step), grid.tau_f64());
-        self.order(Causality::Input, |set, get| Order::Step { set, get, from, size })
+        let inputs = self.counterparts.iter().filter(|c| c.causality == Causality::Input);
+        let inputs = inputs.filter_map(|c| Some(outward(c, self.values.get(c.place)?))).collect();
+        let answer = self.session.step(from, size, inputs);
+        self.take(answer, &format!("step {step}, from {from} s: "))
+    }
+
+    fn notes(&self) -> &[String] {
+        &self.notes
     }
 }

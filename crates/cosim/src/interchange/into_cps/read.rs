@@ -13,10 +13,11 @@ use serde_json::Value as Json;
 
 use super::MultiModel;
 use super::ports::{Instance, Port, Ports};
+use crate::cosimulation::Cosimulation;
 use crate::fmi::archive::Fmu;
 use crate::fmi::interface::{Model, Positions, TAU};
 use crate::interchange::{Assembly, End};
-use crate::swarm::Swarm;
+use crate::seat::Seat;
 use crate::unit::Value;
 use cordon_core::exact::{self, Rational};
 use cordon_core::{Error, Result, files};
@@ -56,9 +57,9 @@ struct Reader<'m> {
 
 /// The three instances of a drone.
 struct Drone {
-    units: [Instance; 3],
+    units: [Instance; UnitName::ALL.len()],
     /// Their models; `None` for FMUs of other tools.
-    models: [Option<Model>; 3],
+    models: [Option<Model>; UnitName::ALL.len()],
 }
 
 impl Reader<'_> {
@@ -268,7 +269,7 @@ impl Reader<'_> {
 
     /// Compares the file with the assembly of what was read.
     fn compare(&self, drones: &[Drone], draft: &Draft) -> Result<()> {
-        let swarm = Swarm::new(draft.clone().finish()?, draft.flight.clone())?;
+        let swarm = Cosimulation::new(draft.clone().finish()?, draft.flight.clone())?;
         let assembly = Assembly::of(&swarm)?;
         let mut unmatched = self.ports.wires.clone();
         for (from, to) in &assembly.connections {
@@ -288,8 +289,8 @@ impl Reader<'_> {
                 "the connection from `{from}` to `{to}` is none of a swarm"
             )));
         }
-        for (place, instance) in assembly.instances.iter().enumerate() {
-            let Some((unit, Some(_))) = unit_at(drones, place) else { continue };
+        for (seat, instance) in Seat::all(drones.len()).zip(&assembly.instances) {
+            let Some((unit, Some(_))) = unit_at(drones, seat) else { continue };
             let ours: BTreeMap<&str, String> =
                 instance.settings.iter().map(|(n, v)| (n.as_str(), v.to_string())).collect();
             let changed = |(name, value): &(&String, &Json)| -> bool {
@@ -332,20 +333,21 @@ fn first(drones: &[Drone], place: usize) -> Option<(&Instance, Model)> {
     drones.iter().find_map(|d| Some((d.units.get(place)?, (*d.models.get(place)?)?)))
 }
 
-fn unit_at(drones: &[Drone], place: usize) -> Option<(&Instance, Option<Model>)> {
-    let drone = drones.get(place / 3)?;
-    Some((drone.units.get(place % 3)?, *drone.models.get(place % 3)?))
+fn unit_at(drones: &[Drone], seat: Seat) -> Option<(&Instance, Option<Model>)> {
+    let drone = drones.get(seat.drone)?;
+    let place = seat.unit.place();
+    Some((drone.units.get(place)?, *drone.models.get(place)?))
 }
 
 /// Whether a port is where an end of an assembly's connection should be. Another tool's FMU has
 /// the same names.
 fn is_end(drones: &[Drone], end: &End, port: &Port) -> bool {
-    unit_at(drones, end.instance)
+    unit_at(drones, Seat::at(end.instance))
         .is_some_and(|(unit, _)| *unit == port.instance && end.variable == port.variable)
 }
 
 fn expected_name(drones: &[Drone], end: &End) -> String {
-    let unit = unit_at(drones, end.instance).map(|(unit, _)| unit.to_string());
+    let unit = unit_at(drones, Seat::at(end.instance)).map(|(unit, _)| unit.to_string());
     format!("{}.{}", unit.unwrap_or_default(), end.variable)
 }
 

@@ -1,5 +1,8 @@
 //! A swarm at the user's level, turned into 3 N units and their connections.
 
+use std::fmt;
+use std::sync::Arc;
+
 use cordon_spec::graph::Graph;
 use num_traits::Signed;
 
@@ -9,16 +12,17 @@ use super::faults;
 use super::grid::Grid;
 use super::master::{Algorithm, Master};
 use super::plant::{self, Integrator, Plant};
-use super::record::Setup;
+use super::record::{Flown, Setup};
+use super::seat::Seat;
 use super::unit::{Unit, UnitError, Value};
 use super::wiring::{Port, Timing, Wiring};
 use cordon_core::exact::{self, Rational};
 use cordon_core::{Error, Result};
-use cordon_run::scenario::{Fault, Flight, Protocol, Scenario, Substitute, UnitName};
+use cordon_run::scenario::{Fault, Flight, Protocol, Scenario, Substitute};
 
 /// A checked co-simulation scenario.
 #[derive(Clone, Debug)]
-pub struct Swarm {
+pub struct Cosimulation {
     /// The protocol, its parameters and the desired start.
     pub scenario: Scenario,
     /// When the units meet.
@@ -52,7 +56,25 @@ pub struct Swarm {
 }
 
 /// Loads an FMU in the place of a unit: the answer has the unit's name and variables.
-pub type Loader = fn(&Substitute, Box<dyn Unit>) -> Result<Box<dyn Unit>>;
+#[derive(Clone)]
+pub struct Loader(Arc<Load>);
+
+type Load = dyn Fn(&Substitute, Box<dyn Unit>) -> Result<Box<dyn Unit>> + Send + Sync;
+
+impl Loader {
+    /// A loader.
+    pub fn new(
+        load: impl Fn(&Substitute, Box<dyn Unit>) -> Result<Box<dyn Unit>> + Send + Sync + 'static,
+    ) -> Self {
+        Self(Arc::new(load))
+    }
+}
+
+impl fmt::Debug for Loader {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Loader")
+    }
+}
 
 /// Where nothing can load FMUs.
 fn no_loader(substitute: &Substitute, unit: Box<dyn Unit>) -> Result<Box<dyn Unit>> {
@@ -74,7 +96,7 @@ fn fraction((num, den): (i32, i32)) -> Rational {
     Rational::new(num.into(), den.into())
 }
 
-impl Swarm {
+impl Cosimulation {
     /// Checks what a scenario says about flying; what it does not say is as in the paper's
     /// runs (tau 0.05 s, 25 s, lambda_P 0.4, lambda_A 4, Euler, Jacobi).
     ///
@@ -128,7 +150,7 @@ impl Swarm {
             })?,
             faults: flight.faults,
             units: flight.units,
-            load: no_loader,
+            load: Loader::new(no_loader),
             seed: flight.seed.unwrap_or_default(),
             recorded: false,
             scenario,
@@ -165,7 +187,7 @@ impl Swarm {
 
     /// The coordination unit of a drone.
     pub fn coordination(&self, drone: usize) -> Coordination {
-        Coordination::new(format!("coordination{drone}"), self.settings(drone, self.exchange))
+        Coordination::new(Seat::coordination(drone).name(), self.settings(drone, self.exchange))
     }
 
     fn settings(&self, drone: usize, exchange: Exchange) -> Settings {
@@ -193,7 +215,7 @@ impl Swarm {
     /// The coordination unit of a drone in a run whose every value is exact.
     pub(super) fn exact_coordination(&self, drone: usize) -> Coordination {
         let settings = self.settings(drone, Exchange::Exact);
-        Coordination::new(format!("coordination{drone}"), settings)
+        Coordination::new(Seat::coordination(drone).name(), settings)
     }
 
     /// A variable of a drone's coordination unit.
@@ -215,14 +237,14 @@ impl Swarm {
             position: exact::to_f64(&self.lambda_p),
             attitude: exact::to_f64(&self.lambda_a),
         };
-        let control = Control::new(format!("control{drone}"), gains);
+        let control = Control::new(Seat::control(drone).name(), gains);
         if self.recorded { control.as_recorded() } else { control }
     }
 
     /// The plant of a drone.
     pub fn plant(&self, drone: usize) -> Plant {
         let x = self.start.get(drone).map_or(0.0, exact::to_f64);
-        Plant::new(format!("plant{drone}"), [x, 0.0, 0.0], self.integrator)
+        Plant::new(Seat::plant(drone).name(), [x, 0.0, 0.0], self.integrator)
     }
 
     /// The drones that a drone hears, in the order of its inputs; for coverage the end drones
@@ -248,8 +270,7 @@ impl Swarm {
         }
     }
 
-    /// Units and connections: for drone i the coordination unit at `3 i`, the controller and
-    /// the plant after it.
+    /// Units and connections; every unit is at its [`Seat`].
     ///
     /// # Errors
     /// A fault that does not fit the swarm, or an FMU that does not fit its place.
@@ -263,9 +284,8 @@ impl Swarm {
                     substitute.drone
                 )));
             }
-            let place = UnitName::ALL.iter().position(|u| *u == substitute.unit);
-            let place = 3 * substitute.drone + place.unwrap_or_default();
-            wiring.substitute(place, |unit| (self.load)(substitute, unit))?;
+            let seat = Seat { drone: substitute.drone, unit: substitute.unit };
+            wiring.substitute(seat.place(), |unit| (self.load.0)(substitute, unit))?;
         }
         Ok(wiring)
     }
@@ -334,7 +354,7 @@ impl Swarm {
             body.connect(&mut wiring, i, port(i, body.desired)?);
         }
         for (drone, steps) in faults.drop_outs {
-            wiring.outage(3 * drone, steps);
+            wiring.outage(Seat::coordination(drone).place(), steps);
         }
         Ok(wiring)
     }
@@ -342,7 +362,7 @@ impl Swarm {
     /// The master of the swarm's co-simulation.
     ///
     /// # Errors
-    /// As for [`Swarm::wiring`] and [`Master::new`].
+    /// As for [`Cosimulation::wiring`] and [`Master::new`].
     pub fn master(&self) -> Result<Master> {
         Master::new(self.wiring()?, self.grid.clone(), self.algorithm)
     }
@@ -361,13 +381,21 @@ impl Swarm {
             tau: self.grid.tau().clone(),
             integrator: self.integrator.name().to_owned(),
             master: self.algorithm.name().to_owned(),
+            recorded: self.recorded,
+            fmus: self.units.iter().map(flown).collect(),
         }
     }
 }
 
+fn flown(substitute: &Substitute) -> Flown {
+    let seat = Seat { drone: substitute.drone, unit: substitute.unit };
+    let file = substitute.fmu.file_name().unwrap_or(substitute.fmu.as_os_str());
+    Flown { unit: seat.name(), fmu: file.to_string_lossy().into_owned() }
+}
+
 fn port(unit: &Coordination, drone: usize, slot: Slot) -> Result<Port> {
     match unit.place(slot) {
-        Some(variable) => Ok(Port { unit: 3 * drone, variable }),
+        Some(variable) => Ok(Port { unit: Seat::coordination(drone).place(), variable }),
         None => Err(UnitError::new(unit.name(), None, format!("has no variable {slot:?}")).into()),
     }
 }
@@ -391,8 +419,8 @@ pub(super) struct Body<'b> {
 
 impl Body<'_> {
     fn connect(&self, wiring: &mut Wiring, drone: usize, desired: Port) {
-        let control = |variable| Port { unit: 3 * drone + 1, variable };
-        let plant = |variable| Port { unit: 3 * drone + 2, variable };
+        let control = |variable| Port { unit: Seat::control(drone).place(), variable };
+        let plant = |variable| Port { unit: Seat::plant(drone).place(), variable };
         wiring.connect(desired, control(control::var::X_D), Timing::Sampled);
         for (k, input) in self.state.clone().enumerate() {
             wiring.connect(plant(self.first_output + k), control(input), Timing::Sampled);

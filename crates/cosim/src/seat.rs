@@ -1,0 +1,70 @@
+//! Where the units of a drone are among all units.
+
+use cordon_run::scenario::UnitName;
+
+/// The seat of a unit: whose it is, and which of the drone's three.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Seat {
+    /// The drone.
+    pub drone: usize,
+    /// Which of its units.
+    pub unit: UnitName,
+}
+
+impl Seat {
+    /// The coordination unit of a drone.
+    pub fn coordination(drone: usize) -> Self {
+        Self { drone, unit: UnitName::Coordination }
+    }
+
+    /// The controller of a drone.
+    pub fn control(drone: usize) -> Self {
+        Self { drone, unit: UnitName::Control }
+    }
+
+    /// The plant of a drone.
+    pub fn plant(drone: usize) -> Self {
+        Self { drone, unit: UnitName::Plant }
+    }
+
+    /// The seats of so many drones, in the order of their places.
+    pub fn all(drones: usize) -> impl Iterator<Item = Self> {
+        (0..drones).flat_map(|drone| UnitName::ALL.map(|unit| Self { drone, unit }))
+    }
+
+    /// Its place in a [`Wiring`](crate::wiring::Wiring): drone by drone, the units of a drone in
+    /// the order of [`UnitName::ALL`].
+    pub fn place(self) -> usize {
+        UnitName::ALL.len() * self.drone + self.unit.place()
+    }
+
+    /// The seat at a place.
+    pub fn at(place: usize) -> Self {
+        let [coordination, control, plant] = UnitName::ALL;
+        let unit = match place % UnitName::ALL.len() {
+            0 => coordination,
+            1 => control,
+            _ => plant,
+        };
+        Self { drone: place / UnitName::ALL.len(), unit }
+    }
+
+    /// The unit's name, unique in its co-simulation: `plant3`.
+    pub fn name(self) -> String {
+        format!("{}{}", self.unit.name(), self.drone)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn seats_are_counted_through_without_a_gap() {
+        let places: Vec<usize> = Seat::all(4).map(Seat::place).collect();
+        assert_eq!(places, (0..12).collect::<Vec<_>>());
+        assert!(Seat::all(4).all(|seat| Seat::at(seat.place()) == seat));
+        assert_eq!(Seat::control(2).place(), 7);
+        assert_eq!(Seat::plant(3).name(), "plant3");
+    }
+}

@@ -1,0 +1,72 @@
+//! What it takes to make an instance of an FMU.
+
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+
+/// A version of the standard.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Version {
+    /// FMI 2.0.
+    V2,
+    /// FMI 3.0.
+    V3,
+}
+
+/// An unpacked FMU, and the instance to be made.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Fmu {
+    /// Folder of the unpacked archive, absolute.
+    pub folder: PathBuf,
+    /// The shared library in it.
+    pub binary: PathBuf,
+    /// Version of the standard.
+    pub version: Version,
+    /// Identifier with which instances are made: `guid` or `instantiationToken`.
+    pub token: String,
+    /// Name of the instance.
+    pub name: String,
+}
+
+/// The type of a variable, by the names of FMI 3.0. Of FMI 2.0, `Real` is [`Type::Float64`],
+/// `Integer` and `Enumeration` are [`Type::Int32`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "the names are the standard's")]
+pub enum Type {
+    Float64,
+    Float32,
+    Int8,
+    UInt8,
+    Int16,
+    UInt16,
+    Int32,
+    UInt32,
+    Int64,
+    UInt64,
+    Boolean,
+    String,
+}
+
+/// A variable of an FMU.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Variable {
+    /// Name, for messages.
+    pub name: String,
+    /// Value reference.
+    pub reference: u32,
+    /// Type.
+    pub kind: Type,
+}
+
+/// The value of a variable.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Datum {
+    /// Of both floating types.
+    Real(f64),
+    /// Of all integer types.
+    Integer(i64),
+    /// True or false.
+    Boolean(bool),
+    /// Text.
+    Text(String),
+}

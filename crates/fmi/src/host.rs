@@ -1,0 +1,73 @@
+//! The child process's side: one instance, which does what it is told over a stream.
+
+use std::io::{Read, Write};
+use std::path::PathBuf;
+
+use crate::fmu::Fmu;
+use crate::instance::Instance;
+use crate::message::{self, Answer, Order};
+
+/// Carries out orders until the last one, or until nobody sends any more.
+///
+/// # Errors
+/// The stream cannot be written.
+pub fn serve(stream: &mut (impl Read + Write)) -> std::io::Result<()> {
+    let mut instance: Option<Instance> = None;
+    let mut folder: Option<PathBuf> = None;
+    loop {
+        let Ok(order) = message::read(stream) else {
+            // The parent process has died: nobody else removes the unpacked archive.
+            drop(instance);
+            if let Some(folder) = folder {
+                let _ = std::fs::remove_dir_all(folder);
+            }
+            return Ok(());
+        };
+        let answer = match (order, &mut instance) {
+            (Order::Load(fmu), _) => {
+                watch_over(&fmu);
+                folder = Some(fmu.folder.clone());
+                let made = Instance::load(&fmu);
+                let result = made.map(|made| {
+                    instance = Some(made);
+                    Vec::new()
+                });
+                Answer { result, notes: Vec::new() }
+            }
+            (Order::Initialise(beginning), Some(instance)) => instance.initialise(beginning),
+            (Order::Step { from, size, inputs }, Some(instance)) => {
+                instance.step(from, size, &inputs)
+            }
+            (Order::Finish, _) => {
+                drop(instance.take());
+                return message::write(
+                    stream,
+                    &Answer { result: Ok(Vec::new()), notes: Vec::new() },
+                );
+            }
+            (_, None) => {
+                Answer { result: Err("there is no instance".to_owned()), notes: Vec::new() }
+            }
+        };
+        message::write(stream, &answer)?;
+    }
+}
+
+/// Ends this process, and removes the unpacked archive, where the parent process is gone: it may
+/// have been killed while the FMU computes.
+#[cfg(unix)]
+fn watch_over(fmu: &Fmu) {
+    let parent = std::os::unix::process::parent_id();
+    let folder: PathBuf = fmu.folder.clone();
+    std::thread::spawn(move || {
+        while std::os::unix::process::parent_id() == parent {
+            std::thread::sleep(std::time::Duration::from_millis(200));
+        }
+        // There is nobody to tell that it cannot be removed.
+        let _ = std::fs::remove_dir_all(folder);
+        std::process::exit(1);
+    });
+}
+
+#[cfg(not(unix))]
+fn watch_over(_: &Fmu) {}

@@ -10,7 +10,7 @@ use super::grid::Grid;
 use super::master::{Algorithm, Master};
 use super::plant::{self, Integrator, Plant};
 use super::record::Setup;
-use super::unit::{Unit, UnitError, Value};
+use super::unit::{Unit, Value};
 use super::wiring::{Port, Timing, Wiring};
 use cordon_core::exact::{self, Rational};
 use cordon_core::{Error, Result};
@@ -368,7 +368,7 @@ impl Swarm {
 fn port(unit: &Coordination, drone: usize, slot: Slot) -> Result<Port> {
     match unit.place(slot) {
         Some(variable) => Ok(Port { unit: 3 * drone, variable }),
-        None => Err(UnitError::new(unit.name(), None, format!("has no variable {slot:?}")).into()),
+        None => Err(Error::internal(format!("unit `{}` has no variable {slot:?}", unit.name()))),
     }
 }
 

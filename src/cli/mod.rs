@@ -44,7 +44,7 @@ pub struct Cli {
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 holds or done, 1 refuted, 2 bad usage or input, \
-                          3 inconclusive or not run, 4 certificate rejected, 74 I/O error";
+                          3 inconclusive or not run, 4 certificate rejected, 70 internal fault, 74 I/O error";
 
 /// The commands.
 #[derive(Subcommand, Debug)]

@@ -17,7 +17,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 use xtask::verify::matrix::{Cell, collect};
 use xtask::verify::record::Records;
-use xtask::verify::show::{json, junit, sarif};
+use xtask::verify::show::json;
 use xtask::verify::{Context, Evidence, Kind, NAMES, Tier, Verdict, tiers};
 
 // ---- a repository with tools of its own
@@ -402,43 +402,6 @@ fn the_worst_verdict_decides() {
     let rejected = || vec![Verdict::Rejected("!".into())];
     assert_eq!(one(|_| ran(Verdict::Holds), rejected()), Outcome::Rejected);
     assert_eq!(one(|_| ran(Verdict::Refuted("!".into())), rejected()), Outcome::Rejected);
-}
-
-#[test]
-fn junit_counts_what_failed_and_what_was_skipped() {
-    let problems = vec![Verdict::Rejected("file".into())];
-    let text = junit(&matrix_of(vec![Told("told", mixed, problems)]));
-    assert!(
-        text.contains(
-            "<testsuite name=\"told\" tests=\"11\" failures=\"3\" errors=\"0\" skipped=\"7\">"
-        ),
-        "{text}"
-    );
-    assert_eq!(text.matches("<testcase ").count(), 11);
-    assert_eq!(text.matches("<failure ").count(), 3);
-    assert_eq!(text.matches("<skipped ").count(), 7);
-    assert!(text.contains("name=\"7.2\" time=\"0.500\"></testcase>"));
-    assert!(text.contains("x &lt; y (a &lt;scope&gt; &amp; &quot;more&quot;)"));
-    assert!(text.contains("?bad"), "control characters are no XML");
-    assert_eq!(text.matches('<').count(), text.matches('>').count());
-}
-
-#[test]
-fn sarif_lists_what_to_look_at() {
-    let problems = vec![Verdict::Rejected("file".into())];
-    let page: Value =
-        serde_json::from_str(&sarif(&matrix_of(vec![Told("told", mixed, problems)]))).unwrap();
-    assert_eq!(page["version"], "2.1.0");
-    let run = &page["runs"][0];
-    let rules = run["tool"]["driver"]["rules"].as_array().unwrap();
-    let ids: Vec<_> = rules.iter().map(|r| r["id"].as_str().unwrap()).collect();
-    assert_eq!(ids.len(), Theorem::ALL.len() + 1);
-    let results = run["results"].as_array().unwrap();
-    let count = |level: &str| results.iter().filter(|r| r["level"] == level).count();
-    assert_eq!((count("error"), count("warning"), count("note")), (3, 1, 5));
-    for result in results {
-        assert!(ids.contains(&result["ruleId"].as_str().unwrap()), "every result has its rule");
-    }
 }
 
 #[test]

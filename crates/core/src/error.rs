@@ -48,6 +48,7 @@ impl From<Outcome> for ExitCode {
 
 /// Why a command did not run to its end.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum Error {
     /// Bad usage or bad input (exit code 2). The message is in the user's words: what was
     /// given (in backticks), what was expected, and where.
@@ -66,12 +67,23 @@ pub enum Error {
     /// stdout or stderr could not be written (exit code 74).
     #[error("cannot write the output: {0}")]
     Output(#[from] io::Error),
+    /// Something of Cordon's own does not hold (exit code 70, `EX_SOFTWARE`): nothing that
+    /// the user can mend, and never said of bad input.
+    #[error(
+        "internal fault: {0}; the fault is cordon's, not the input's: please report it with the command"
+    )]
+    Internal(String),
 }
 
 impl Error {
     /// An [`Error::Input`] from anything that can be said.
     pub fn input(message: impl Into<String>) -> Self {
         Self::Input(message.into())
+    }
+
+    /// An [`Error::Internal`] from anything that can be said.
+    pub fn internal(message: impl Into<String>) -> Self {
+        Self::Internal(message.into())
     }
 
     /// An [`Error::File`].
@@ -83,6 +95,7 @@ impl Error {
     pub fn code(&self) -> u8 {
         match self {
             Self::Input(_) => 2,
+            Self::Internal(_) => 70,
             Self::File { .. } | Self::Output(_) => 74,
         }
     }

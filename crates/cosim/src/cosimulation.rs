@@ -396,7 +396,7 @@ fn flown(substitute: &Substitute) -> Flown {
 fn port(unit: &Coordination, drone: usize, slot: Slot) -> Result<Port> {
     match unit.place(slot) {
         Some(variable) => Ok(Port { unit: Seat::coordination(drone).place(), variable }),
-        None => Err(UnitError::new(unit.name(), None, format!("has no variable {slot:?}")).into()),
+        None => Err(Error::internal(format!("unit `{}` has no variable {slot:?}", unit.name()))),
     }
 }
 

@@ -89,7 +89,7 @@ pub fn difference(swarm: &Cosimulation, record: &Record) -> Result<Difference> {
             let distance = |port: Port, x: f64| -> Result<f64> {
                 match master.value(port)? {
                     Value::Exact(exact) => Ok(exact.distance_from(x)),
-                    _ => Err(Error::input("expected an exact value")),
+                    _ => Err(Error::internal("expected an exact value")),
                 }
             };
             let desired = distance(*own, *desired)?;

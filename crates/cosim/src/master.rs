@@ -193,7 +193,7 @@ impl Master {
     pub fn value(&self, port: Port) -> Result<Value> {
         match self.cells.get(port.unit) {
             Some(cell) => Ok(cell.unit.get(port.variable)?),
-            None => Err(Error::input(format!(
+            None => Err(Error::internal(format!(
                 "unit number {}: expected one of the {} units",
                 port.unit,
                 self.cells.len()
@@ -215,7 +215,7 @@ impl Master {
             Some(cell) => {
                 Err(not_finite(cell.unit.as_ref(), port.variable, &value, &self.grid, step).into())
             }
-            None => Err(Error::input("expected a unit")),
+            None => Err(Error::internal("expected a unit")),
         }
     }
 

@@ -81,7 +81,7 @@ fn loop_error(wiring: &Wiring, connections: &[usize], names: &[String]) -> cordo
     );
     match connections.first().and_then(|&c| wiring.connections.get(c)) {
         Some(c) => wiring.at(c.to, what),
-        None => cordon_core::Error::input(what),
+        None => cordon_core::Error::internal(what),
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::unit::{Causality, Unit, UnitError, Value, Variable, at_variable};
-use cordon_core::Result;
+use cordon_core::{Error, Result};
 
 /// A variable of a unit, by its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -69,7 +69,9 @@ impl Wiring {
     pub fn port(&self, unit: usize, variable: &str) -> Result<Port> {
         let Some(named) = self.units.get(unit) else {
             let what = format!("expected one of the {} units", self.units.len());
-            return Err(UnitError::new(&format!("number {unit}"), Some(variable), what).into());
+            return Err(Error::internal(format!(
+                "unit number {unit}, variable `{variable}`: {what}"
+            )));
         };
         let table = named.variables();
         match table.iter().position(|v| v.name == variable) {
@@ -211,7 +213,7 @@ impl Wiring {
             Some(unit) => at_variable(unit.as_ref(), port.variable, what).into(),
             None => {
                 let what = format!("expected one of the {} units", self.units.len());
-                UnitError::new(&format!("number {}", port.unit), None, what).into()
+                Error::internal(format!("unit number {}: {what}", port.unit))
             }
         }
     }

@@ -39,7 +39,7 @@ pub(super) fn into_cps(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome
     let (assembly, version, binary) = assembly(args)?;
     let model = into_cps::multi_model(&assembly);
     let text = serde_json::to_vec_pretty(&model)
-        .map_err(|e| Error::input(format!("the multi-model cannot be written: {e}")))?;
+        .map_err(|e| Error::internal(format!("the multi-model cannot be written: {e}")))?;
     let mut written = Vec::new();
     for m in assembly.models() {
         written.push((into_cps::fmu_file(m), package::fmu(m, version, &binary)?));

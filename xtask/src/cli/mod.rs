@@ -19,7 +19,7 @@ pub struct Cli {
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 done, 1 refuted, 2 bad usage or input, \
-                          3 inconclusive or not run, 4 rejected, 74 I/O error";
+                          3 inconclusive or not run, 4 rejected, 70 internal fault, 74 I/O error";
 
 /// The commands.
 #[derive(Subcommand, Debug)]

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use crate::verify::matrix::collect;
 use crate::verify::record::Records;
-use crate::verify::show::{json, junit, sarif, text};
+use crate::verify::show::{json, text};
 use crate::verify::{Context, NAMES, Tier, tiers};
 use cordon_core::theorems;
 use cordon_core::{Error, Outcome, Result};
@@ -45,10 +45,6 @@ pub enum Format {
     Text,
     /// JSON, schema cordon-verify/1
     Json,
-    /// SARIF 2.1.0
-    Sarif,
-    /// JUnit XML
-    Junit,
 }
 
 /// Shows the matrix, or records a tier.
@@ -72,8 +68,6 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     match args.format {
         Format::Text => text(&matrix, out)?,
         Format::Json => out.write_all(json(&matrix).as_bytes())?,
-        Format::Sarif => out.write_all(sarif(&matrix).as_bytes())?,
-        Format::Junit => out.write_all(junit(&matrix).as_bytes())?,
     }
     Ok(matrix.outcome())
 }

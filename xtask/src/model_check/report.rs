@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::Limits;
 use super::results::{Finding, Verdict};
 use super::tool::Kani;
-use cordon_core::{Outcome, Result};
+use cordon_core::{Error, Outcome, Result};
 
 /// Version of the JSON.
 const SCHEMA: &str = "cordon-kani/1";
@@ -141,7 +141,8 @@ impl Report {
             harnesses: self.harnesses.iter().map(Checked::row).collect(),
             unexpected: &self.unexpected,
         };
-        let text = serde_json::to_string_pretty(&page).map_err(std::io::Error::from)?;
+        let text =
+            serde_json::to_string_pretty(&page).map_err(|e| Error::internal(e.to_string()))?;
         writeln!(out, "{text}")?;
         Ok(())
     }

@@ -144,7 +144,7 @@ impl Records {
         self.records.sort_by(|a, b| a.tier.cmp(&b.tier));
         let path = root.join(FILE);
         let text = serde_json::to_string_pretty(&self)
-            .map_err(|e| Error::input(format!("{}: {e}", path.display())))?;
+            .map_err(|e| Error::internal(format!("{}: {e}", path.display())))?;
         files::write_atomically(&path, format!("{text}\n").as_bytes())?;
         Ok(path)
     }

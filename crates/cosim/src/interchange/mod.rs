@@ -75,7 +75,7 @@ impl Assembly {
         let end = |port: Port| -> Result<End> {
             let unit = wiring.units().get(port.unit);
             let variable = unit.and_then(|u| u.variables().get(port.variable));
-            let missing = || Error::input(format!("unit {}: expected a variable", port.unit));
+            let missing = || Error::internal(format!("unit {}: expected a variable", port.unit));
             let variable = variable.ok_or_else(missing)?;
             Ok(End { instance: port.unit, variable: variable.name.clone() })
         };

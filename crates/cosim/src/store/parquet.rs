@@ -18,7 +18,7 @@ use cordon_core::{Error, Result};
 /// # Errors
 /// `out` cannot be written.
 pub(super) fn parquet(record: &Record, out: &mut dyn Write) -> Result<()> {
-    let file = encoded(record).map_err(|e| Error::input(format!("format: parquet: {e}")))?;
+    let file = encoded(record).map_err(|e| Error::internal(format!("format: parquet: {e}")))?;
     out.write_all(&file)?;
     Ok(())
 }

@@ -40,7 +40,7 @@ impl Plot {
             Format::Svg => self.svg(),
             Format::Png => self.png(),
         };
-        content.map_err(|e| Error::input(format!("figures: {e}")))
+        content.map_err(|e| Error::internal(format!("figures: {e}")))
     }
 
     fn svg(&self) -> Drawn<Vec<u8>> {

@@ -19,5 +19,5 @@ pub(super) fn register() -> Result<()> {
             .into_iter()
             .all(|style| register_font(NAME, style, bytes).is_ok())
     });
-    if *done { Ok(()) } else { Err(Error::input("figures: the embedded typeface is damaged")) }
+    if *done { Ok(()) } else { Err(Error::internal("figures: the embedded typeface is damaged")) }
 }

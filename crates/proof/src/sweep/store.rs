@@ -173,7 +173,7 @@ impl Store {
 
 /// A value as one line of JSON.
 pub fn line_of(value: &impl Serialize) -> Result<String> {
-    let mut line = serde_json::to_string(value).map_err(std::io::Error::from)?;
+    let mut line = serde_json::to_string(value).map_err(|e| Error::internal(e.to_string()))?;
     line.push('\n');
     Ok(line)
 }
@@ -195,7 +195,7 @@ fn same(path: &Path, wanted: &Header, found: &Header) -> Result<()> {
 /// None in practice: headers can be written as JSON.
 pub fn difference(a: &Header, b: &Header) -> Result<Option<(String, String, String)>> {
     let fields = |h: &Header| -> Result<Vec<(String, String)>> {
-        let config = serde_json::to_value(&h.config).map_err(std::io::Error::from)?;
+        let config = serde_json::to_value(&h.config).map_err(|e| Error::internal(e.to_string()))?;
         let config = config.as_object().into_iter().flatten();
         let mut fields: Vec<_> =
             config.map(|(name, value)| (name.replace('_', " "), value.to_string())).collect();

@@ -1,13 +1,9 @@
-//! The matrix for people, for programs and for CI.
+//! The matrix for people and for programs.
 
 mod json;
-mod junit;
-mod sarif;
 mod text;
 
 pub use json::json;
-pub use junit::junit;
-pub use sarif::sarif;
 pub use text::text;
 
 use super::Verdict;

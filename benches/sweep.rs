@@ -8,7 +8,7 @@ use cordon_core::Rational;
 use cordon_proof::sweep::exhaust::{Tally, engine, sweep};
 use cordon_proof::sweep::grid::Grid;
 use cordon_proof::sweep::run::{Progress, run};
-use cordon_proof::sweep::{Config, Item, Starts, Weights};
+use cordon_proof::sweep::{Config, Item, StartSpace, WeightSet};
 use cordon_spec::theorems::{Form, Theorem};
 use divan::counter::ItemsCount;
 
@@ -55,9 +55,13 @@ fn drone_updates(bencher: divan::Bencher, work: &Work) {
 /// The whole engine on all cores, as `cordon sweep` runs it: several work items, pieces, sums.
 #[divan::bench(sample_count = 5, sample_size = 1)]
 fn all_cores(bencher: divan::Bencher) {
-    let weights = Weights::List(vec!["1/5".into(), "1/3".into(), "2/5".into()]);
+    let weights = WeightSet::List(
+        [(1, 5), (1, 3), (2, 5)]
+            .map(|(p, q): (i32, i32)| Rational::new(p.into(), q.into()))
+            .to_vec(),
+    );
     let theorems = [Theorem::Ordering, Theorem::SumBounded];
-    let starts = Starts::Grid { resolution: 24 };
+    let starts = StartSpace::Grid { resolution: 24 };
     let config = Config::new(&theorems, &[Form::Sharp], [5, 7], weights, 20, starts);
     let items = config.items().expect("valid");
     let whole = || -> u64 {

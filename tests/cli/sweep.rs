@@ -50,8 +50,8 @@ fn a_theorem_that_fails_beyond_its_range() {
     assert_eq!(code, 1);
     let expected = "\
 7.2 (sharp form) is refuted in 3 of 4 work items; the simplest counterexample:
-  N = 4, eps = 3/5, start (0, 1, 7, 8): at step 1: order of drones 1 and 2
-  cordon trace --drones 4 --start 0,1,7,8 --eps 3/5 --steps 1 --check 7.2 --form sharp
+  N = 4, eps = 3/5, start (0, 1, 7, 8): at step 1 drones 1 and 2: X_1 = 4 is not below X_2 = 4
+  cordon trace --drones 4 --start 0,1,7,8 --eps 3/5 --steps 1 --check 7.2
 ";
     assert!(out.ends_with(expected), "{out}");
     let replay: Vec<_> = expected.lines().last().unwrap().split_whitespace().skip(1).collect();
@@ -67,7 +67,7 @@ fn counterexamples_are_minimal() {
     let (code, out, _) =
         sweep("7.2 --form sharp --drones 3..6 --eps 0.501 --any-weight --complete");
     assert_eq!(code, 1);
-    assert!(out.contains("N = 4, eps = 501/1000, start (0, 1, 502, 503): at step 1: "), "{out}");
+    assert!(out.contains("N = 4, eps = 501/1000, start (0, 1, 502, 503): at step 1 "), "{out}");
 }
 
 /// Every counterexample that a sweep prints is one to `cordon trace`.
@@ -147,7 +147,7 @@ fn json_has_a_schema() {
     assert_eq!(page["claims"][4]["verdict"], "refuted");
     assert_eq!(
         page["claims"][4]["counterexample"]["replay"],
-        "cordon trace --drones 3 --start 0,1,3 --eps 0 --steps 0 --check 7.6ii --form paper"
+        "cordon trace --drones 3 --start 0,1,3 --eps 0 --steps 1 --check 7.6ii --form paper"
     );
     let findings = page["findings"].as_array().unwrap();
     let cases: u64 = findings.iter().map(|f| f["cases"].as_u64().unwrap()).sum();

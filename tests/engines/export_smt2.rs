@@ -369,7 +369,7 @@ fn a_true_model_is_replayed() {
     assert_eq!(code, Some(1));
     assert_eq!(
         out,
-        "refuted: 7.2 (sharp form) about step 1 of this run fails at step 1 for drones 1 and 2, by exact replay\n\
+        "refuted: 7.2 (sharp form) fails at step 1 drones 1 and 2: X_1 = 23/16 is not below X_2 = 43/32 (by exact replay)\n\
          replay: cordon trace --min=0 --max=3 --eps=3/4 --start=0,1/8,2,3 --steps=1 --check=7.2 --form=sharp\n"
     );
 }

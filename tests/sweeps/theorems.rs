@@ -5,10 +5,11 @@
 //! asserted to be refuted, exactly where they are.
 use std::collections::BTreeSet;
 
+use crate::common::{q, qs};
 use cordon_core::Rational;
 use cordon_proof::sweep::run::{Progress, run};
-use cordon_proof::sweep::summary::claims;
-use cordon_proof::sweep::{Config, Finding, Judgement, Starts, Weights};
+use cordon_proof::sweep::summary::summaries;
+use cordon_proof::sweep::{Config, Finding, Judgement, StartSpace, WeightSet};
 use cordon_spec::theorems::{Form, StartSet, Theorem, WeightRange};
 
 const DRONES: [usize; 2] = [3, 7];
@@ -30,8 +31,8 @@ fn findings(config: &Config) -> Vec<Finding> {
     found
 }
 
-fn config(theorems: &[Theorem], forms: &[Form], starts: Starts) -> Config {
-    Config::new(theorems, forms, DRONES, Weights::unit(MAX_DENOMINATOR), STEPS, starts)
+fn config(theorems: &[Theorem], forms: &[Form], starts: StartSpace) -> Config {
+    Config::new(theorems, forms, DRONES, WeightSet::unit(MAX_DENOMINATOR), STEPS, starts)
 }
 
 fn rational(p: i64, q: i64) -> Rational {
@@ -59,8 +60,8 @@ fn starts_on_grid(starts: StartSet, n: u64) -> u64 {
 type Row = (&'static str, &'static str, usize, usize, u64, u64, u64);
 
 fn check_rows(config: &Config, found: &[Finding], rows: &[Row]) {
-    let claims = claims(config, found, false).unwrap();
-    let got: Vec<_> = claims
+    let summaries = summaries(config, found, false).unwrap();
+    let got: Vec<_> = summaries
         .iter()
         .map(|c| {
             let (number, form) = (c.theorem.number(), c.form.label());
@@ -71,34 +72,34 @@ fn check_rows(config: &Config, found: &[Finding], rows: &[Row]) {
     assert_eq!(got, rows);
 }
 
-/// Which items are refuted, as (number, form, N, eps).
-fn refuted(found: &[Finding]) -> BTreeSet<(String, String, usize, String)> {
+/// Which items are refuted, as (theorem, form, N, eps).
+type Refuted = BTreeSet<(Theorem, Form, usize, Rational)>;
+
+fn refuted(found: &[Finding]) -> Refuted {
     let with = |j: Judgement| found.iter().filter(move |f| f.verdict == j);
     assert_eq!(with(Judgement::Refuted).filter(|f| f.counterexample.is_none()).count(), 0);
-    with(Judgement::Refuted)
-        .map(|f| (f.theorem.clone(), f.form.clone(), f.drones, f.eps.clone()))
-        .collect()
+    with(Judgement::Refuted).map(|f| (f.theorem, f.form, f.drones, f.eps.clone())).collect()
 }
 
 /// The items of the paper's forms that are false: 7.6 (ii) at eps = 0; 7.7 at eps = 0 where
 /// the printed premise can be met at all (j >= 3 internal); 7.8 at eps = 0 and from eps*_N on,
 /// but for eps*_4 = 2/3 itself, where the squared errors of every start of assumption 3 go on
 /// falling and yet do not reach 0.
-fn expected_refutations() -> BTreeSet<(String, String, usize, String)> {
+fn expected_refutations() -> Refuted {
     let mut expected = BTreeSet::new();
-    let mut add = |theorem: &str, n: usize, eps: &Rational| {
-        expected.insert((theorem.to_owned(), "paper".to_owned(), n, eps.to_string()));
+    let mut add = |theorem: Theorem, n: usize, eps: &Rational| {
+        expected.insert((theorem, Form::Paper, n, eps.clone()));
     };
     let zero = rational(0, 1);
     for n in 3..=7 {
-        add("7.6ii", n, &zero);
+        add(Theorem::ConstantSum, n, &zero);
         if n >= 5 {
-            add("7.7", n, &zero);
+            add(Theorem::GloballyIncreasing, n, &zero);
         }
-        for eps in Weights::unit(MAX_DENOMINATOR).listed().unwrap() {
+        for eps in WeightSet::unit(MAX_DENOMINATOR).listed().unwrap() {
             let below = WeightRange::BelowCritical.contains(eps.numer(), eps.denom(), n);
             if !below.is_true() && (n, &eps) != (4, &rational(2, 3)) {
-                add("7.8", n, &eps);
+                add(Theorem::Limit, n, &eps);
             }
         }
     }
@@ -106,7 +107,7 @@ fn expected_refutations() -> BTreeSet<(String, String, usize, String)> {
 }
 
 fn grid(theorems: &[Theorem], rows: &[Row]) {
-    let config = config(theorems, &Form::ALL, Starts::Grid { resolution: GRID });
+    let config = config(theorems, &Form::ALL, StartSpace::Grid { resolution: GRID });
     let found = findings(&config);
     check_rows(&config, &found, rows);
     for f in &found {
@@ -117,9 +118,8 @@ fn grid(theorems: &[Theorem], rows: &[Row]) {
         assert_eq!(f.counts.cases, starts * (STEPS as u64 + 1), "{f:?}");
         assert_eq!(f.counts.undecided, 0, "{f:?}");
     }
-    let numbers: BTreeSet<_> = theorems.iter().map(|t| t.number().to_owned()).collect();
-    let expected: BTreeSet<_> =
-        expected_refutations().into_iter().filter(|r| numbers.contains(&r.0)).collect();
+    let expected: Refuted =
+        expected_refutations().into_iter().filter(|r| theorems.contains(&r.0)).collect();
     assert_eq!(refuted(&found), expected);
 }
 
@@ -192,7 +192,7 @@ fn grid_7_8() {
 /// 7.7 for N = 7 beyond 1/2, where errors have either sign and the premise leaves two of them.
 #[test]
 fn complete_in_both_forms() {
-    let config = config(&Theorem::ALL, &Form::ALL, Starts::Complete);
+    let config = config(&Theorem::ALL, &Form::ALL, StartSpace::Complete);
     let found = findings(&config);
     check_rows(
         &config,
@@ -225,12 +225,13 @@ fn complete_in_both_forms() {
     assert_eq!(undecided.len(), 24);
     let half = rational(1, 2);
     for f in undecided {
-        let eps = cordon_core::exact::parse("eps", &f.eps).unwrap();
-        assert_eq!(f.form, "paper");
+        assert_eq!(f.form, Form::Paper);
         assert!(f.reason.is_some());
-        match f.theorem.as_str() {
-            "7.7" => assert!(f.drones == 7 && eps > half, "{f:?}"),
-            _ => assert_eq!((f.theorem.as_str(), f.drones, &*f.eps), ("7.8", 4, "2/3")),
+        match f.theorem {
+            Theorem::GloballyIncreasing => assert!(f.drones == 7 && f.eps > half, "{f:?}"),
+            other => {
+                assert_eq!((other, f.drones, &f.eps), (Theorem::Limit, 4, &rational(2, 3)));
+            }
         }
     }
 }
@@ -240,11 +241,12 @@ fn complete_in_both_forms() {
 #[test]
 fn complete_and_grid_agree_beyond_the_ranges() {
     let sweep = |starts| {
-        let weights = Weights::Range { from: "-1/2".into(), to: "3/2".into(), max_denominator: 6 };
+        let weights =
+            WeightSet::Range { from: rational(-1, 2), to: rational(3, 2), max_denominator: 6 };
         let config = Config::new(&Theorem::ALL, &Form::ALL, [3, 6], weights, 6, starts);
         findings(&Config { only_weights_of_the_theorem: false, ..config })
     };
-    let (grid, complete) = (sweep(Starts::Grid { resolution: 6 }), sweep(Starts::Complete));
+    let (grid, complete) = (sweep(StartSpace::Grid { resolution: 6 }), sweep(StartSpace::Complete));
     let mut pairs = std::collections::BTreeMap::new();
     for (g, c) in grid.iter().zip(&complete) {
         assert_eq!(g.item, c.item);
@@ -280,16 +282,16 @@ fn beyond(
     drones: [usize; 2],
     eps: &[&str],
     steps: usize,
-    starts: Starts,
+    starts: StartSpace,
 ) -> Vec<Finding> {
-    let weights = Weights::List(eps.iter().map(|e| (*e).to_owned()).collect());
+    let weights = WeightSet::List(eps.iter().map(|e| q(e)).collect());
     let config = Config::new(&[theorem], &[Form::Sharp], drones, weights, steps, starts);
     findings(&Config { only_weights_of_the_theorem: false, ..config })
 }
 
 #[test]
 fn ordering_fails_just_above_one_half_from_four_drones_on() {
-    for f in beyond(Theorem::Ordering, [3, 8], &["501/1000"], 5, Starts::Complete) {
+    for f in beyond(Theorem::Ordering, [3, 8], &["501/1000"], 5, StartSpace::Complete) {
         if f.drones == 3 {
             assert_eq!(f.verdict, Judgement::Holds, "{f:?}");
         } else {
@@ -300,20 +302,20 @@ fn ordering_fails_just_above_one_half_from_four_drones_on() {
     // On a grid: the middle gap has to be 250 times as long as the other two together. A
     // segment of 504 has one such start, one of 501 has none: what a grid does not see.
     let on_grid = |resolution| {
-        let grid = Starts::Grid { resolution };
+        let grid = StartSpace::Grid { resolution };
         beyond(Theorem::Ordering, [4, 4], &["501/1000"], 1, grid).remove(0)
     };
     let fine = on_grid(502);
     let first = fine.counterexample.as_ref().unwrap();
-    assert_eq!((first.step, first.start.join(",")), (1, "0,1,503,504".into()));
+    assert_eq!((first.step, &first.start), (1, &qs("0,1,503,504")));
     assert_eq!((fine.counts.starts, fine.counts.violations), (126_253, 1));
     let coarse = on_grid(501);
     assert_eq!((coarse.counts.starts, coarse.counts.violations), (124_750, 0));
     // One half itself is safe, and so is eps = 1 for three drones, not for four.
-    for f in beyond(Theorem::Ordering, [3, 8], &["1/2"], 30, Starts::Complete) {
+    for f in beyond(Theorem::Ordering, [3, 8], &["1/2"], 30, StartSpace::Complete) {
         assert_eq!(f.verdict, Judgement::Holds, "{f:?}");
     }
-    for f in beyond(Theorem::Ordering, [3, 4], &["1"], 30, Starts::Complete) {
+    for f in beyond(Theorem::Ordering, [3, 4], &["1"], 30, StartSpace::Complete) {
         let expected = if f.drones == 3 { Judgement::Holds } else { Judgement::Refuted };
         assert_eq!(f.verdict, expected, "{f:?}");
     }
@@ -321,7 +323,7 @@ fn ordering_fails_just_above_one_half_from_four_drones_on() {
 
 #[test]
 fn upper_bound_fails_just_above_one_half() {
-    for starts in [Starts::Complete, Starts::Grid { resolution: 6 }] {
+    for starts in [StartSpace::Complete, StartSpace::Grid { resolution: 6 }] {
         let found = beyond(Theorem::UpperBound, [3, 7], &["501/1000"], 3, starts);
         assert_eq!(found.len(), 5);
         for f in found {
@@ -329,14 +331,14 @@ fn upper_bound_fails_just_above_one_half() {
             assert_eq!(f.counterexample.as_ref().unwrap().step, 1, "{f:?}");
         }
     }
-    for f in beyond(Theorem::UpperBound, [3, 7], &["1/2"], 30, Starts::Complete) {
+    for f in beyond(Theorem::UpperBound, [3, 7], &["1/2"], 30, StartSpace::Complete) {
         assert_eq!(f.verdict, Judgement::Holds, "{f:?}");
     }
 }
 
 #[test]
 fn constant_sum_fails_without_updates() {
-    for starts in [Starts::Complete, Starts::Grid { resolution: 6 }] {
+    for starts in [StartSpace::Complete, StartSpace::Grid { resolution: 6 }] {
         for f in beyond(Theorem::ConstantSum, [3, 7], &["0"], 3, starts) {
             assert_eq!(f.verdict, Judgement::Refuted, "{f:?}");
             assert_eq!(f.counterexample.as_ref().unwrap().step, 0, "{f:?}");
@@ -363,12 +365,11 @@ fn limit_changes_at_the_critical_weight() {
         };
         assert!(value(below) < critical && value(above) > critical - 1e-12);
         assert!(value(above) - value(below) <= 0.001 + 1e-12);
-        let found = beyond(Theorem::Limit, [n, n], &[below, above], 3, Starts::Complete);
+        let found = beyond(Theorem::Limit, [n, n], &[below, above], 3, StartSpace::Complete);
         assert_eq!(found[0].verdict, Judgement::Holds, "{:?}", found[0]);
         assert_eq!(found[1].verdict, Judgement::Refuted, "{:?}", found[1]);
         for (f, inside) in found.iter().zip([true, false]) {
-            let eps = cordon_core::exact::parse("eps", &f.eps).unwrap();
-            let minors = WeightRange::BelowCritical.contains(eps.numer(), eps.denom(), n);
+            let minors = WeightRange::BelowCritical.contains(f.eps.numer(), f.eps.denom(), n);
             assert_eq!(minors.is_true(), inside, "{f:?}");
         }
         let growing = found[1].counterexample.as_ref().unwrap();
@@ -379,16 +380,13 @@ fn limit_changes_at_the_critical_weight() {
 
 /// From the start found, stepped by the spec on exact rationals, the sum of the squared errors
 /// does not fall (at eps*_3 and eps*_4 it stays, elsewhere it grows).
-fn grows(n: usize, eps: &str, start: &[String]) {
+fn grows(n: usize, eps: &str, x: &[Rational]) {
     use cordon_spec::coverage::exec_coverage;
     use cordon_spec::placement::scaled_energy;
     use cordon_spec::{Params, State};
-    let x: Vec<Rational> =
-        start.iter().map(|x| cordon_core::exact::parse("start", x).unwrap()).collect();
-    let eps = cordon_core::exact::parse("eps", eps).unwrap();
-    let p = Params { min: x[0].clone(), max: x[n - 1].clone(), eps, n: 0 };
+    let p = Params { min: x[0].clone(), max: x[n - 1].clone(), eps: q(eps), n: 0 };
     let energy = |x: &[Rational]| scaled_energy(&p.min, &p.max, x);
-    let mut now = State { drones: x, timesteps: 0 };
+    let mut now = State { drones: x.to_vec(), timesteps: 0 };
     for _ in 0..20 {
         let next = exec_coverage(&p, &now);
         let (before, after) = (energy(&now.drones), energy(&next.drones));
@@ -405,13 +403,16 @@ fn grows(n: usize, eps: &str, start: &[String]) {
 /// grow too, once the others have died away.
 #[test]
 fn limit_fails_on_a_grid_beyond_the_critical_weight() {
-    let found =
-        beyond(Theorem::Limit, [3, 7], &["7/10", "1001/1000"], 40, Starts::Grid { resolution: 3 });
+    let found = beyond(
+        Theorem::Limit,
+        [3, 7],
+        &["7/10", "1001/1000"],
+        40,
+        StartSpace::Grid { resolution: 3 },
+    );
     for f in found {
-        let expected = match (f.drones, f.eps.as_str()) {
-            (3, "7/10") => Judgement::Holds,
-            _ => Judgement::Refuted,
-        };
+        let holds = f.drones == 3 && f.eps == q("7/10");
+        let expected = if holds { Judgement::Holds } else { Judgement::Refuted };
         assert_eq!(f.verdict, expected, "{f:?}");
     }
 }
@@ -420,16 +421,16 @@ fn limit_fails_on_a_grid_beyond_the_critical_weight() {
 #[test]
 fn samples_are_reproducible_and_find_what_is_common() {
     let sweep = |seed| {
-        let starts = Starts::Sample { resolution: 100, samples: 3000, seed };
+        let starts = StartSpace::Sample { resolution: 100, samples: 3000, seed };
         beyond(Theorem::UpperBound, [4, 9], &["2/5", "3/5"], 10, starts)
     };
     let once = sweep(1);
     assert_eq!(once, sweep(1));
     assert_ne!(once, sweep(2));
     for f in &once {
-        assert_eq!(f.evidence, cordon_proof::sweep::Evidence::Sampled);
+        assert_eq!(f.evidence, cordon_core::Evidence::Sampled);
         assert_eq!(f.counts.starts, 3000);
-        let expected = if f.eps == "2/5" { Judgement::Holds } else { Judgement::Refuted };
+        let expected = if f.eps == q("2/5") { Judgement::Holds } else { Judgement::Refuted };
         assert_eq!(f.verdict, expected, "{f:?}");
     }
 }

@@ -11,6 +11,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use common::{has_tool, stderr_of, stdout_of};
+use cordon_core::Evidence;
 use cordon_core::Outcome;
 use cordon_spec::theorems::Theorem;
 use serde_json::Value;
@@ -18,7 +19,7 @@ use tempfile::TempDir;
 use xtask::verify::matrix::{Cell, collect};
 use xtask::verify::record::Records;
 use xtask::verify::show::json;
-use xtask::verify::{Context, Evidence, Kind, NAMES, Tier, Verdict, tiers};
+use xtask::verify::{Context, NAMES, Status, Tier, Verdict, tiers};
 
 // ---- a repository with tools of its own
 
@@ -339,15 +340,15 @@ fn the_solver_at_hand_proves_every_theorem_that_has_a_step() {
 // ---- formats
 
 /// A tier that says what it is told to.
-struct Told(&'static str, fn(Theorem) -> Evidence, Vec<Verdict>);
+struct Told(&'static str, fn(Theorem) -> Status, Vec<Verdict>);
 
 impl Tier for Told {
     fn name(&self) -> &'static str {
         self.0
     }
 
-    fn kind(&self) -> Kind {
-        Kind::Sampled
+    fn kind(&self) -> Evidence {
+        Evidence::Sampled
     }
 
     fn tool(&self) -> String {
@@ -358,7 +359,7 @@ impl Tier for Told {
         &["src"]
     }
 
-    fn status(&self, theorem: Theorem) -> Evidence {
+    fn status(&self, theorem: Theorem) -> Status {
         (self.1)(theorem)
     }
 
@@ -367,18 +368,18 @@ impl Tier for Told {
     }
 }
 
-fn ran(verdict: Verdict) -> Evidence {
-    Evidence::Run { verdict, scope: "a <scope> & \"more\"".into(), seconds: 0.5 }
+fn ran(verdict: Verdict) -> Status {
+    Status::Run { verdict, scope: "a <scope> & \"more\"".into(), seconds: 0.5 }
 }
 
-fn mixed(theorem: Theorem) -> Evidence {
+fn mixed(theorem: Theorem) -> Status {
     match theorem {
         Theorem::Ordering => ran(Verdict::Holds),
         Theorem::UpperBound => ran(Verdict::Refuted("x < y".into())),
         Theorem::SumBounded => ran(Verdict::Rejected("\u{1}bad".into())),
         Theorem::SumMaximal => ran(Verdict::Inconclusive("unknown".into())),
-        Theorem::Limit => Evidence::NotClaimed("a limit".into()),
-        _ => Evidence::NotRun("no time".into()),
+        Theorem::Limit => Status::NotClaimed("a limit".into()),
+        _ => Status::NotRun("no time".into()),
     }
 }
 
@@ -392,13 +393,13 @@ fn matrix_of(told: Vec<Told>) -> xtask::verify::matrix::Matrix {
 #[test]
 fn the_worst_verdict_decides() {
     let one =
-        |e: fn(Theorem) -> Evidence, problems| matrix_of(vec![Told("t", e, problems)]).outcome();
+        |e: fn(Theorem) -> Status, problems| matrix_of(vec![Told("t", e, problems)]).outcome();
     assert_eq!(one(|_| ran(Verdict::Holds), vec![]), Outcome::Holds);
     assert_eq!(one(|_| ran(Verdict::Inconclusive("?".into())), vec![]), Outcome::Holds);
     assert_eq!(one(|_| ran(Verdict::Refuted("!".into())), vec![]), Outcome::Refuted);
     assert_eq!(one(|_| ran(Verdict::Rejected("!".into())), vec![]), Outcome::Rejected);
-    assert_eq!(one(|_| Evidence::NotRun("".into()), vec![]), Outcome::Inconclusive);
-    assert_eq!(one(|_| Evidence::NotClaimed("".into()), vec![]), Outcome::Inconclusive);
+    assert_eq!(one(|_| Status::NotRun("".into()), vec![]), Outcome::Inconclusive);
+    assert_eq!(one(|_| Status::NotClaimed("".into()), vec![]), Outcome::Inconclusive);
     let rejected = || vec![Verdict::Rejected("!".into())];
     assert_eq!(one(|_| ran(Verdict::Holds), rejected()), Outcome::Rejected);
     assert_eq!(one(|_| ran(Verdict::Refuted("!".into())), rejected()), Outcome::Rejected);

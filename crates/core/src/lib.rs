@@ -4,18 +4,23 @@
 //! * [`scalar`]: what the spec can be executed on besides rationals.
 //! * [`stencil`]: the step's coefficients; [`linear`], [`simplex`]: exact linear algebra and
 //!   programs.
-//! * [`error`], [`files`]: how a command ends, and how it reads and writes.
+//! * [`theorems`], [`violation`], [`evidence`]: the theorems by number, violations in words, what verdicts rest on.
+//! * [`error`], [`files`], [`serial`]: how a command ends, how it reads and writes.
 
 pub mod error;
+pub mod evidence;
 pub mod exact;
 #[cfg(feature = "files")]
 pub mod files;
 pub mod linear;
 pub mod random;
 pub mod scalar;
+pub mod serial;
 pub mod simplex;
 pub mod stencil;
 pub mod theorems;
+pub mod violation;
 
 pub use error::{Error, Outcome, Result};
+pub use evidence::Evidence;
 pub use exact::Rational;

@@ -4,6 +4,11 @@ use cordon_spec::theorems::{Form, StartSet, Theorem, WeightRange};
 
 use crate::{Error, Result};
 
+/// The numbers of the theorems, with `between` between.
+pub fn numbers(theorems: &[Theorem], between: &str) -> String {
+    theorems.iter().map(|t| t.number()).collect::<Vec<_>>().join(between)
+}
+
 /// The theorems of a list like `7.2,7.4ii`; a number without its part (`7.4`) names all parts,
 /// `all` all theorems.
 ///
@@ -22,10 +27,9 @@ pub fn named(list: &str) -> Result<Vec<Theorem>> {
         let before = named.len();
         named.extend(found);
         if named.len() == before {
-            let known: Vec<_> = Theorem::ALL.iter().map(|t| t.number()).collect();
             return Err(Error::input(format!(
                 "theorem: `{number}` is unknown: expected `all` or some of {}",
-                known.join(", ")
+                numbers(&Theorem::ALL, ", ")
             )));
         }
     }

@@ -14,7 +14,7 @@ use super::master::{Algorithm, Master};
 use super::plant::{self, Integrator, Plant};
 use super::record::{Flown, Setup};
 use super::seat::Seat;
-use super::unit::{Unit, UnitError, Value};
+use super::unit::{Unit, Value};
 use super::wiring::{Port, Timing, Wiring};
 use cordon_core::exact::{self, Rational};
 use cordon_core::{Error, Result};

@@ -3,13 +3,13 @@
 use cordon_spec::activation::exec_coverage_active;
 use cordon_spec::coverage::{exec_coverage, getx};
 use cordon_spec::delay::exec_coverage_delayed;
-use cordon_spec::theorems::{Form, Setting, Subject, Theorem, Truth, Verdict, Violation};
+use cordon_spec::theorems::{Form, Setting, Theorem, Truth, Verdict, Violation};
 use cordon_spec::{Params, State};
 use serde_json::{Value, json};
 
 use crate::certificate::Departure;
-use cordon_core::Rational;
 use cordon_core::exact::fraction;
+use cordon_core::{Rational, violation};
 
 /// A start in a theorem's start set whose run violates the conclusion.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -88,17 +88,12 @@ impl Counterexample {
         weights.contains(&num, &den, self.start().len()).is_true()
     }
 
-    /// What fails, in words.
+    /// What fails, in words with exact values.
     pub fn what_fails(&self) -> String {
-        let step = self.step + self.violation.step;
-        match self.violation.subject {
-            Subject::Pair(i) => format!("drones {i} and {} are out of order at step {step}", i + 1),
-            Subject::Drone(i) => format!("drone {i} violates its bound at step {step}"),
-            Subject::Sum => format!("the sum of the positions is at fault at step {step}"),
-            Subject::Energy => {
-                format!("the sum of the squared errors does not fall in the step to {step}")
-            }
-        }
+        let start = self.start();
+        let (Some(min), Some(max)) = (start.first(), start.last()) else { return String::new() };
+        let read = self.run.get(self.step..).unwrap_or_default();
+        violation::in_words([min, max], read, self.step as u64, self.violation)
     }
 
     /// The command that replays it.

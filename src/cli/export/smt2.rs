@@ -3,7 +3,7 @@
 use std::io::{Read, Write};
 use std::path::PathBuf;
 
-use cordon_spec::theorems::{Form, Subject};
+use cordon_spec::theorems::Form;
 
 use super::super::select::FormArg;
 
@@ -182,15 +182,10 @@ fn report(query: &Query, model: &Model, out: &mut dyn Write) -> Result<Outcome> 
     let start: Vec<_> = model.start.iter().map(ToString::to_string).collect();
     let (p, start) = (&model.params, start.join(","));
     match replay(query, model) {
-        Replay::Violates { k, violation } => {
+        Replay::Violates { step, what } => {
             let (claim, form) = (query.claim, query.form.label());
-            let what = subject(violation.subject);
-            writeln!(
-                out,
-                "refuted: {claim} ({form} form) about step {k} of this run fails at step {} for {what}, by exact replay",
-                k + violation.step,
-            )?;
-            let steps = k + query.claim.span(query.form, query.drones);
+            writeln!(out, "refuted: {claim} ({form} form) fails {what} (by exact replay)")?;
+            let steps = step + query.claim.span(query.form, query.drones);
             writeln!(
                 out,
                 "replay: cordon trace --min={} --max={} --eps={} --start={start} --steps={steps}{}",
@@ -213,14 +208,5 @@ fn check_flags(query: &Query) -> String {
     match query.claim {
         Claim::Theorem(_) => format!(" --check={} --form={}", query.claim, query.form.label()),
         Claim::Mirror | Claim::Box => String::new(),
-    }
-}
-
-fn subject(subject: Subject) -> String {
-    match subject {
-        Subject::Pair(i) => format!("drones {i} and {}", i + 1),
-        Subject::Drone(i) => format!("drone {i}"),
-        Subject::Sum => "the sum of the positions".to_owned(),
-        Subject::Energy => "the sum of the squared errors".to_owned(),
     }
 }

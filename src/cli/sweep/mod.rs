@@ -8,7 +8,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use super::select::OutputFormat;
-use cordon_core::{Error, Outcome, Result, files};
+use cordon_core::{Error, Outcome, Result, files, theorems};
 use cordon_proof::sweep::run::{Progress, run as run_items, work};
 use cordon_proof::sweep::store::{Header, Shard, Store, line_of};
 use cordon_proof::sweep::{Config, Finding, merge};
@@ -101,7 +101,7 @@ fn swept(options: &options::Options, out: &mut dyn Write) -> Result<Outcome> {
         findings.push(finding);
         Ok(())
     };
-    watch::watched(&progress, total, watch::Unit::of(&config), resumed, || {
+    watch::watched(&progress, total, watch::WorkUnit::of(&config), resumed, || {
         run_items(&config, left, options.threads()?, &progress, emit)
     })?;
     if let Some(store) = store {
@@ -117,7 +117,7 @@ fn nothing(config: &Config, shard: Shard) -> Error {
     if shard == Shard::WHOLE {
         Error::input(format!(
             "eps: no weight is in the range of {}: expected one, or `--any-weight`",
-            config.theorems.join(", ")
+            theorems::numbers(&config.theorems, ", ")
         ))
     } else {
         Error::input(format!(

@@ -9,8 +9,9 @@ use cordon_spec::theorems::Form;
 use crate::cli::select::OutputFormat;
 use cordon_core::theorems;
 use cordon_core::{Error, Result};
+use cordon_proof::counterexample::list as comma_list;
 use cordon_proof::sweep::store::Shard;
-use cordon_proof::sweep::{Config, Starts, Weights};
+use cordon_proof::sweep::{Config, StartSpace, WeightSet};
 
 /// Options of `cordon sweep`.
 #[derive(clap::Args, Debug)]
@@ -88,12 +89,12 @@ impl Options {
         };
         let drones = drones(&self.drones)?;
         let starts = match (self.complete, self.sample) {
-            (true, _) => Starts::Complete,
-            (false, None) => Starts::Grid { resolution: self.grid },
+            (true, _) => StartSpace::Complete,
+            (false, None) => StartSpace::Grid { resolution: self.grid },
             (false, Some(samples)) => {
                 // Any number will do: the last line on stderr tells which it was.
                 let fresh = || RandomState::new().build_hasher().finish() >> 32;
-                Starts::Sample {
+                StartSpace::Sample {
                     resolution: self.grid,
                     samples,
                     seed: self.seed.unwrap_or_else(fresh),
@@ -104,17 +105,16 @@ impl Options {
         Ok(Config { only_weights_of_the_theorem: !self.any_weight, ..config })
     }
 
-    fn weights(&self) -> Result<Weights> {
+    fn weights(&self) -> Result<WeightSet> {
         if let Some(list) = &self.eps {
-            let exact = |text: &str| cordon_core::exact::parse("eps", text).map(|x| x.to_string());
-            return Ok(Weights::List(list.split(',').map(exact).collect::<Result<_>>()?));
+            let exact = |text: &str| cordon_core::exact::parse("eps", text);
+            return Ok(WeightSet::List(list.split(',').map(exact).collect::<Result<_>>()?));
         }
         let (from, to) = self.eps_range.split_once("..").ok_or_else(|| {
             Error::input(format!("eps-range: `{}`: expected LO..HI, like 0..1/2", self.eps_range))
         })?;
-        let exact =
-            |text: &str| cordon_core::exact::parse("eps-range", text).map(|x| x.to_string());
-        Ok(Weights::Range {
+        let exact = |text: &str| cordon_core::exact::parse("eps-range", text);
+        Ok(WeightSet::Range {
             from: exact(from)?,
             to: exact(to)?,
             max_denominator: self.max_denominator,
@@ -136,15 +136,15 @@ impl Options {
 
     /// Says on stderr how to draw the same starts again.
     pub(super) fn say_how_to_repeat(&self, config: &Config) {
-        let Starts::Sample { resolution, samples, seed } = config.starts else { return };
+        let StartSpace::Sample { resolution, samples, seed } = config.starts else { return };
         let weights = match &config.weights {
-            Weights::List(list) => format!("--eps {}", list.join(",")),
-            Weights::Range { from, to, max_denominator } => {
+            WeightSet::List(list) => format!("--eps {}", comma_list(list)),
+            WeightSet::Range { from, to, max_denominator } => {
                 format!("--eps-range {from}..{to} --max-denominator {max_denominator}")
             }
         };
         let form = match config.forms.as_slice() {
-            [one] => one,
+            [one] => one.label(),
             _ => "both",
         };
         let any = if config.only_weights_of_the_theorem { "" } else { " --any-weight" };
@@ -154,7 +154,7 @@ impl Options {
         let _ = writeln!(
             std::io::stderr(),
             "reproduce: cordon sweep {} --form {form} --drones {fewest}..{most} {weights}{any} --grid {resolution} --steps {} --sample {samples} --seed {seed}{shard}",
-            config.theorems.join(","),
+            theorems::numbers(&config.theorems, ","),
             config.steps,
         );
     }

@@ -6,10 +6,11 @@ use comfy_table::{CellAlignment, Table, presets};
 use serde_json::json;
 
 use crate::cli::select::OutputFormat;
-use cordon_core::{Outcome, Result};
+use cordon_core::exact::fraction;
+use cordon_core::{Outcome, Rational, Result};
 use cordon_proof::sweep::store::{Header, Shard};
-use cordon_proof::sweep::summary::{Claim, claims, outcome};
-use cordon_proof::sweep::{Config, Finding, Starts, Weights};
+use cordon_proof::sweep::summary::{Summary, outcome, summaries};
+use cordon_proof::sweep::{Config, Finding, StartSpace, WeightSet};
 
 /// Prints what a sweep has found.
 pub(super) fn report(
@@ -19,27 +20,27 @@ pub(super) fn report(
     out: &mut dyn Write,
 ) -> Result<Outcome> {
     let part = header.shard != Shard::WHOLE;
-    let claims = claims(&header.config, findings, part)?;
+    let summaries = summaries(&header.config, findings, part)?;
     match format {
-        OutputFormat::Text => text(header, findings, &claims, out)?,
+        OutputFormat::Text => text(header, findings, &summaries, out)?,
         OutputFormat::Json => {
             let page = json!({
                 "schema": "cordon-sweep-report/1",
                 "config": header.config,
                 "shard": header.shard,
-                "claims": claims.iter().map(Claim::json).collect::<Vec<_>>(),
+                "claims": summaries.iter().map(Summary::json).collect::<Vec<_>>(),
                 "findings": findings,
             });
             writeln!(out, "{page:#}")?;
         }
     }
-    Ok(outcome(&claims))
+    Ok(outcome(&summaries))
 }
 
 fn text(
     header: &Header,
     findings: &[Finding],
-    claims: &[Claim],
+    summaries: &[Summary],
     out: &mut dyn Write,
 ) -> Result<()> {
     writeln!(out, "{}", described(&header.config))?;
@@ -48,7 +49,7 @@ fn text(
         writeln!(out, "part {index} of {of}: {} of {} work items", findings.len(), header.items)?;
     }
     writeln!(out)?;
-    let complete = header.config.starts == Starts::Complete;
+    let complete = header.config.starts == StartSpace::Complete;
     let mut table = Table::new();
     table.load_preset(presets::NOTHING);
     let starts = if complete { "generators" } else { "starts" };
@@ -64,7 +65,7 @@ fn text(
         "violations",
         "evidence",
     ]);
-    for c in claims {
+    for c in summaries {
         table.add_row([
             c.theorem.number().to_owned(),
             c.form.label().to_owned(),
@@ -84,14 +85,14 @@ fn text(
     for line in table.lines() {
         writeln!(out, "{}", line.trim())?;
     }
-    for c in claims {
+    for c in summaries {
         about(c, out)?;
     }
     Ok(())
 }
 
 /// What the table has no room for: the counterexample, or why nothing was decided.
-fn about(claim: &Claim, out: &mut dyn Write) -> Result<()> {
+fn about(claim: &Summary, out: &mut dyn Write) -> Result<()> {
     let name = format!("{} ({} form)", claim.theorem.number(), claim.form.label());
     if let Some(c) = &claim.counterexample {
         writeln!(out)?;
@@ -102,14 +103,13 @@ fn about(claim: &Claim, out: &mut dyn Write) -> Result<()> {
         )?;
         writeln!(
             out,
-            "  N = {}, eps = {}, start ({}): at step {}: {}",
-            c.drones,
-            c.eps,
-            c.start.join(", "),
-            c.step,
-            c.violation
+            "  N = {}, eps = {}, start ({}): {}",
+            c.start().len(),
+            fraction(&c.eps),
+            joined(c.start()),
+            c.what_fails()
         )?;
-        writeln!(out, "  {}", c.replay())?;
+        writeln!(out, "  {}", c.replay_line())?;
     }
     if claim.undecided > 0 {
         writeln!(out)?;
@@ -134,8 +134,8 @@ fn about(claim: &Claim, out: &mut dyn Write) -> Result<()> {
 fn described(config: &Config) -> String {
     let [fewest, most] = config.drones;
     let weights = match &config.weights {
-        Weights::List(list) => format!("eps = {}", list.join(", ")),
-        Weights::Range { from, to, max_denominator } => {
+        WeightSet::List(list) => format!("eps = {}", joined(list)),
+        WeightSet::Range { from, to, max_denominator } => {
             format!("eps = p/q in [{from}, {to}] with q <= {max_denominator}")
         }
     };
@@ -145,12 +145,16 @@ fn described(config: &Config) -> String {
         "whatever the theorem's range of eps"
     };
     let starts = match config.starts {
-        Starts::Grid { resolution } => format!("every start on a grid of {resolution} units"),
-        Starts::Sample { resolution, samples, seed } => {
+        StartSpace::Grid { resolution } => format!("every start on a grid of {resolution} units"),
+        StartSpace::Sample { resolution, samples, seed } => {
             format!("{samples} random starts on a grid of {resolution} units, seed {seed}")
         }
-        Starts::Complete => "all real starts".to_owned(),
+        StartSpace::Complete => "all real starts".to_owned(),
     };
     let drones = if fewest == most { format!("{fewest}") } else { format!("{fewest}..{most}") };
     format!("N = {drones}, {weights}, k = 0..{}\n{starts}; {range}", config.steps)
+}
+
+fn joined(x: &[Rational]) -> String {
+    x.iter().map(fraction).collect::<Vec<_>>().join(", ")
 }

@@ -9,18 +9,18 @@ use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 
 use cordon_core::Result;
 use cordon_proof::sweep::run::Progress;
-use cordon_proof::sweep::{Config, Starts};
+use cordon_proof::sweep::{Config, StartSpace};
 
 /// What progress counts.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Unit {
+pub(super) enum WorkUnit {
     DroneUpdates,
     WorkItems,
 }
 
-impl Unit {
+impl WorkUnit {
     pub(super) fn of(config: &Config) -> Self {
-        if config.starts == Starts::Complete { Self::WorkItems } else { Self::DroneUpdates }
+        if config.starts == StartSpace::Complete { Self::WorkItems } else { Self::DroneUpdates }
     }
 
     fn name(self) -> &'static str {
@@ -38,7 +38,7 @@ const REFRESH: Duration = Duration::from_millis(200);
 pub(super) fn watched(
     progress: &Progress,
     total: u64,
-    unit: Unit,
+    unit: WorkUnit,
     resumed: usize,
     job: impl FnOnce() -> Result<()>,
 ) -> Result<()> {

@@ -8,7 +8,7 @@ use cordon_check::Verdict as Answer;
 use cordon_check::format::{Certificate, read};
 use cordon_spec::theorems::{Form, Theorem};
 
-use super::{Evidence, Kind, Tier, Verdict, this_program};
+use super::{Evidence, Status, Tier, Verdict, this_program};
 use cordon_core::files;
 
 /// Where the certificates are, below the root.
@@ -105,8 +105,8 @@ impl Tier for Certificates {
         "certificate"
     }
 
-    fn kind(&self) -> Kind {
-        Kind::Certified
+    fn kind(&self) -> Evidence {
+        Evidence::Certified
     }
 
     fn tool(&self) -> String {
@@ -117,14 +117,14 @@ impl Tier for Certificates {
         &["spec/src", "proofs/checker/src", FOLDER]
     }
 
-    fn status(&self, theorem: Theorem) -> Evidence {
+    fn status(&self, theorem: Theorem) -> Status {
         let judged = match self.judged() {
             Ok(judged) => judged,
-            Err(why) => return Evidence::NotRun(why.clone()),
+            Err(why) => return Status::NotRun(why.clone()),
         };
         let mine: Vec<_> = judged.iter().filter(|j| is_about(&j.claim, theorem)).collect();
         if mine.is_empty() {
-            return Evidence::NotRun(format!("no certificate about {}", theorem.number()));
+            return Status::NotRun(format!("no certificate about {}", theorem.number()));
         }
         // The theorem itself has to be among the accepted; extensions alone prove it not.
         let itself = mine.iter().find(|j| j.whole && j.claim == theorem.number());
@@ -140,7 +140,7 @@ impl Tier for Certificates {
         };
         let extra = mine.len() - usize::from(itself.is_some());
         let scope = if extra == 0 { scope } else { format!("{scope}; and {extra} more") };
-        Evidence::Run { verdict, scope, seconds: mine.iter().map(|j| j.seconds).sum() }
+        Status::Run { verdict, scope, seconds: mine.iter().map(|j| j.seconds).sum() }
     }
 
     fn problems(&self) -> Vec<Verdict> {

@@ -11,14 +11,14 @@ use std::time::Instant;
 
 use cordon_spec::theorems::Theorem;
 
-use super::{Context, Evidence, Kind, Tier, Verdict};
+use super::{Context, Evidence, Status, Tier, Verdict};
 use cordon_core::files;
 
 /// What distinguishes one such tier from another.
 #[derive(Debug)]
 struct Tool {
     name: &'static str,
-    kind: Kind,
+    kind: Evidence,
     /// Folder of the development, below the root.
     folder: &'static str,
     /// Where the program is started, below the root.
@@ -32,7 +32,7 @@ struct Tool {
 
 const ROCQ: Tool = Tool {
     name: "rocq",
-    kind: Kind::Mechanised,
+    kind: Evidence::Mechanised,
     folder: "proofs/rocq",
     directory: "proofs/rocq",
     program: "./check.sh",
@@ -43,7 +43,7 @@ const ROCQ: Tool = Tool {
 
 const LEAN: Tool = Tool {
     name: "lean",
-    kind: Kind::Mechanised,
+    kind: Evidence::Mechanised,
     folder: "lean-mirror",
     directory: "lean-mirror",
     program: "lake",
@@ -156,7 +156,7 @@ impl Tier for External {
         self.tool.name
     }
 
-    fn kind(&self) -> Kind {
+    fn kind(&self) -> Evidence {
         self.tool.kind
     }
 
@@ -168,26 +168,26 @@ impl Tier for External {
         self.tool.sources
     }
 
-    fn status(&self, theorem: Theorem) -> Evidence {
+    fn status(&self, theorem: Theorem) -> Status {
         let Tool { name, folder, .. } = self.tool;
         if !self.root.join(folder).is_dir() {
-            return Evidence::NotRun(format!("no `{folder}` here"));
+            return Status::NotRun(format!("no `{folder}` here"));
         }
         let rows = match self.rows(theorem) {
             Ok(rows) => rows,
-            Err(why) => return Evidence::NotRun(why),
+            Err(why) => return Status::NotRun(why),
         };
         if rows.is_empty() {
-            return Evidence::NotClaimed(format!("no row of `{folder}/{TABLE}` is about it"));
+            return Status::NotClaimed(format!("no row of `{folder}/{TABLE}` is about it"));
         }
         if !self.requested {
-            return Evidence::NotRun(format!("on request only: `--run {name}`"));
+            return Status::NotRun(format!("on request only: `--run {name}`"));
         }
         match self.ran.get_or_init(|| self.run()) {
-            Err(why) => Evidence::NotRun(why.clone()),
+            Err(why) => Status::NotRun(why.clone()),
             Ok(ran) => {
                 let forms: Vec<_> = rows.iter().map(|r| r.form.as_str()).collect();
-                Evidence::Run {
+                Status::Run {
                     verdict: ran.verdict.clone(),
                     scope: forms.join("; "),
                     seconds: ran.seconds,

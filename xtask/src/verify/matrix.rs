@@ -5,7 +5,7 @@ use std::path::Path;
 use cordon_spec::theorems::Theorem;
 
 use super::record::Records;
-use super::{Evidence, Kind, Tier, Verdict, sources};
+use super::{Evidence, Status, Tier, Verdict, sources};
 use cordon_core::Outcome;
 
 /// What is known of a theorem by one kind of evidence.
@@ -123,8 +123,8 @@ impl Cell {
 pub struct Column {
     /// Name of the tier.
     pub name: &'static str,
-    /// Kind of evidence.
-    pub kind: Kind,
+    /// Evidence of evidence.
+    pub kind: Evidence,
     /// One cell a theorem, in the matrix's order.
     pub cells: Vec<Cell>,
     /// What is wrong beside the theorems.
@@ -158,9 +158,9 @@ pub fn collect(
 
 fn cell(root: &Path, tier: &dyn Tier, records: &Records, theorem: Theorem) -> Cell {
     let why = match tier.status(theorem) {
-        Evidence::NotClaimed(why) => return Cell::NotClaimed(why),
-        Evidence::Run { verdict, scope, seconds } => return Cell::Run { verdict, scope, seconds },
-        Evidence::NotRun(why) => why,
+        Status::NotClaimed(why) => return Cell::NotClaimed(why),
+        Status::Run { verdict, scope, seconds } => return Cell::Run { verdict, scope, seconds },
+        Status::NotRun(why) => why,
     };
     let Some(record) = records.of(tier.name()) else {
         return Cell::NotRun(why);

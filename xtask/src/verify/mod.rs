@@ -20,41 +20,7 @@ use std::path::Path;
 
 use cordon_spec::theorems::Theorem;
 
-use cordon_core::Outcome;
-
-/// What kind of evidence a tier gives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Some runs were looked at.
-    Sampled,
-    /// Every start on a grid was tried.
-    ExhaustiveOnGrid,
-    /// All real starts were decided, for the listed N, weights and steps.
-    CompleteForAllStarts,
-    /// A model checker covered all states within bounds, bit by bit.
-    ModelChecked,
-    /// A solver proved the inductive step: all starts, weights and steps, for the listed N.
-    InductivePerCount,
-    /// An independent checker accepted a certificate.
-    Certified,
-    /// A proof assistant's kernel accepted a proof.
-    Mechanised,
-}
-
-impl Kind {
-    /// The kind in words.
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::Sampled => "sampled",
-            Self::ExhaustiveOnGrid => "exhaustive on a grid",
-            Self::CompleteForAllStarts => "complete for all starts",
-            Self::ModelChecked => "model-checked within bounds",
-            Self::InductivePerCount => "inductive, for each N",
-            Self::Certified => "certified",
-            Self::Mechanised => "mechanised",
-        }
-    }
-}
+use cordon_core::{Evidence, Outcome};
 
 /// What a tier that ran has found of a theorem.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -83,7 +49,7 @@ impl Verdict {
 
 /// What a tier has to say of one theorem, now.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Evidence {
+pub enum Status {
     /// The tier is not about this theorem: with the reason.
     NotClaimed(String),
     /// It was not run: with the reason.
@@ -106,7 +72,7 @@ pub trait Tier {
     fn name(&self) -> &'static str;
 
     /// The kind of evidence.
-    fn kind(&self) -> Kind;
+    fn kind(&self) -> Evidence;
 
     /// What runs, with its version; for a tool outside this program, as it is installed.
     fn tool(&self) -> String;
@@ -116,7 +82,7 @@ pub trait Tier {
     fn sources(&self) -> &'static [&'static str];
 
     /// What it has to say of the theorem in its sharp form.
-    fn status(&self, theorem: Theorem) -> Evidence;
+    fn status(&self, theorem: Theorem) -> Status;
 
     /// What it found wrong that belongs to no theorem.
     fn problems(&self) -> Vec<Verdict> {

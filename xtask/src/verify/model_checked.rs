@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use cordon_spec::theorems::Theorem;
 
-use super::{Context, Evidence, Kind, Tier, Verdict};
+use super::{Context, Evidence, Status, Tier, Verdict};
 use crate::model_check::report::{Checked, Report};
 use crate::model_check::results::Verdict as Ending;
 use crate::model_check::tool::Kani;
@@ -59,8 +59,8 @@ impl Tier for ModelChecked {
         "kani"
     }
 
-    fn kind(&self) -> Kind {
-        Kind::ModelChecked
+    fn kind(&self) -> Evidence {
+        Evidence::ModelChecked
     }
 
     fn tool(&self) -> String {
@@ -71,25 +71,25 @@ impl Tier for ModelChecked {
         &["spec/src", "kani/src"]
     }
 
-    fn status(&self, theorem: Theorem) -> Evidence {
+    fn status(&self, theorem: Theorem) -> Status {
         if !self.root.join("kani").is_dir() {
-            return Evidence::NotRun("no `kani` here".to_owned());
+            return Status::NotRun("no `kani` here".to_owned());
         }
         let number = theorem.number();
         if !cordon_kani::all().any(|h| h.subject == number) {
-            return Evidence::NotClaimed(format!("no harness is about {number}"));
+            return Status::NotClaimed(format!("no harness is about {number}"));
         }
         if !self.requested {
-            return Evidence::NotRun("on request only: `--run kani`".to_owned());
+            return Status::NotRun("on request only: `--run kani`".to_owned());
         }
         let report = match self.report() {
             Ok(report) => report,
-            Err(why) => return Evidence::NotRun(why.clone()),
+            Err(why) => return Status::NotRun(why.clone()),
         };
         let mine = report.harnesses.iter().filter(|c| c.harness.subject == number);
         let mine: Vec<_> = mine.collect();
         let worst = mine.iter().map(|c| verdict(c)).max_by_key(|v| v.outcome().code());
-        Evidence::Run {
+        Status::Run {
             verdict: worst.unwrap_or(Verdict::Inconclusive("no harness was run".to_owned())),
             scope: format!(
                 "{} harnesses within their bounds (`cargo xtask kani --list`)",

@@ -6,7 +6,7 @@ use cordon_spec::theorems::Theorem;
 use serde::{Deserialize, Serialize};
 use time::OffsetDateTime;
 
-use super::{Evidence, Tier, Verdict, sources};
+use super::{Status, Tier, Verdict, sources};
 use cordon_core::{Error, Result, files};
 
 /// The file, below the repository's root.
@@ -121,10 +121,10 @@ impl Records {
         let mut reasons = Vec::new();
         for &theorem in theorems {
             match tier.status(theorem) {
-                Evidence::Run { verdict, scope, seconds } => {
+                Status::Run { verdict, scope, seconds } => {
                     entries.push(entry(theorem, verdict, scope, seconds));
                 }
-                Evidence::NotRun(why) | Evidence::NotClaimed(why) => reasons.push(why),
+                Status::NotRun(why) | Status::NotClaimed(why) => reasons.push(why),
             }
         }
         if entries.is_empty() {

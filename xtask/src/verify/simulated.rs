@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use cordon_spec::theorems::{Form, Theorem};
 
-use super::{Evidence, Kind, Tier, Verdict, this_program};
+use super::{Evidence, Status, Tier, Verdict, this_program};
 use cordon_core::Result;
 use cordon_run::scenario::Scenario;
 use cordon_run::{scenario, trace};
@@ -27,8 +27,8 @@ impl Tier for Simulated {
         "simulated"
     }
 
-    fn kind(&self) -> Kind {
-        Kind::Sampled
+    fn kind(&self) -> Evidence {
+        Evidence::Sampled
     }
 
     fn tool(&self) -> String {
@@ -45,7 +45,7 @@ impl Tier for Simulated {
         ]
     }
 
-    fn status(&self, theorem: Theorem) -> Evidence {
+    fn status(&self, theorem: Theorem) -> Status {
         let started = Instant::now();
         let mut seen = Seen::default();
         let verdict =
@@ -63,7 +63,7 @@ impl Tier for Simulated {
             seen.steps,
             seen.met
         );
-        Evidence::Run { verdict, scope, seconds: started.elapsed().as_secs_f64() }
+        Status::Run { verdict, scope, seconds: started.elapsed().as_secs_f64() }
     }
 }
 

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use cordon_spec::theorems::{Form, Theorem};
 
-use super::{Evidence, Kind, Tier, Verdict};
+use super::{Evidence, Status, Tier, Verdict};
 use cordon_proof::export::claim::Claim;
 use cordon_proof::export::smt_model::{Answer, read_answer};
 use cordon_proof::export::smt2::{Query, Weights, obligations};
@@ -29,8 +29,8 @@ impl Tier for Smt {
         "smt"
     }
 
-    fn kind(&self) -> Kind {
-        Kind::InductivePerCount
+    fn kind(&self) -> Evidence {
+        Evidence::InductivePerCount
     }
 
     fn tool(&self) -> String {
@@ -41,13 +41,13 @@ impl Tier for Smt {
         &["spec/src", "crates/proof/src/export"]
     }
 
-    fn status(&self, theorem: Theorem) -> Evidence {
+    fn status(&self, theorem: Theorem) -> Status {
         let claim = Claim::Theorem(theorem);
         if !Claim::ALL.contains(&claim) {
-            return Evidence::NotClaimed("a limit has no inductive step".into());
+            return Status::NotClaimed("a limit has no inductive step".into());
         }
         if version().is_none() {
-            return Evidence::NotRun(format!("`{SOLVER}` is not on PATH"));
+            return Status::NotRun(format!("`{SOLVER}` is not on PATH"));
         }
         let started = Instant::now();
         let queries: Vec<_> = DRONES
@@ -59,7 +59,7 @@ impl Tier for Smt {
             "N = {first}..{last}, all eps in its range, all starts, all k: {} obligations",
             queries.len()
         );
-        Evidence::Run {
+        Status::Run {
             verdict: verdict.unwrap_or(Verdict::Holds),
             scope,
             seconds: started.elapsed().as_secs_f64(),

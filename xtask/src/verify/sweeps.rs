@@ -4,11 +4,11 @@ use std::time::Instant;
 
 use cordon_spec::theorems::{Form, Theorem};
 
-use super::{Evidence, Kind, Tier, Verdict, this_program};
+use super::{Evidence, Status, Tier, Verdict, this_program};
 use cordon_core::Result;
 use cordon_proof::sweep::run::{Progress, run};
-use cordon_proof::sweep::summary::{Claim, claims};
-use cordon_proof::sweep::{Config, Judgement, Starts, Weights};
+use cordon_proof::sweep::summary::{Summary, summaries};
+use cordon_proof::sweep::{Config, Judgement, StartSpace, WeightSet};
 
 /// Sweeps over every start on a grid.
 #[derive(Clone, Copy, Debug)]
@@ -37,8 +37,8 @@ struct Size {
 }
 
 impl Size {
-    fn sweep(&self, theorem: Theorem, starts: Starts) -> Result<Option<Claim>> {
-        let weights = Weights::unit(self.denominator);
+    fn sweep(&self, theorem: Theorem, starts: StartSpace) -> Result<Option<Summary>> {
+        let weights = WeightSet::unit(self.denominator);
         let drones = [FEWEST, self.drones];
         let config = Config::new(&[theorem], &[Form::Sharp], drones, weights, self.steps, starts);
         let items = config.items()?;
@@ -47,17 +47,17 @@ impl Size {
             findings.push(finding);
             Ok(())
         })?;
-        Ok(claims(&config, &findings, false)?.pop())
+        Ok(summaries(&config, &findings, false)?.pop())
     }
 
-    fn evidence(&self, theorem: Theorem, starts: Starts, what: &str) -> Evidence {
+    fn evidence(&self, theorem: Theorem, starts: StartSpace, what: &str) -> Status {
         let started = Instant::now();
         let claim = match self.sweep(theorem, starts) {
             Ok(claim) => claim,
-            Err(e) => return Evidence::NotRun(e.to_string()),
+            Err(e) => return Status::NotRun(e.to_string()),
         };
         let Some(claim) = claim else {
-            return Evidence::NotRun("the sweep has no work item".into());
+            return Status::NotRun("the sweep has no work item".into());
         };
         let verdict = match claim.verdict {
             Judgement::Holds => Verdict::Holds,
@@ -78,7 +78,7 @@ impl Size {
             "N = {FEWEST}..{}, eps = p/q in its range with q <= {}, k <= {}, {what}: {} cases",
             self.drones, self.denominator, self.steps, claim.counts.cases
         );
-        Evidence::Run { verdict, scope, seconds: started.elapsed().as_secs_f64() }
+        Status::Run { verdict, scope, seconds: started.elapsed().as_secs_f64() }
     }
 }
 
@@ -89,8 +89,8 @@ impl Tier for Grid {
         "grid"
     }
 
-    fn kind(&self) -> Kind {
-        Kind::ExhaustiveOnGrid
+    fn kind(&self) -> Evidence {
+        Evidence::ExhaustiveOnGrid
     }
 
     fn tool(&self) -> String {
@@ -101,9 +101,9 @@ impl Tier for Grid {
         SOURCES
     }
 
-    fn status(&self, theorem: Theorem) -> Evidence {
+    fn status(&self, theorem: Theorem) -> Status {
         let what = format!("every start on a grid of {RESOLUTION} or more units");
-        GRID.evidence(theorem, Starts::Grid { resolution: RESOLUTION }, &what)
+        GRID.evidence(theorem, StartSpace::Grid { resolution: RESOLUTION }, &what)
     }
 }
 
@@ -112,8 +112,8 @@ impl Tier for Complete {
         "complete"
     }
 
-    fn kind(&self) -> Kind {
-        Kind::CompleteForAllStarts
+    fn kind(&self) -> Evidence {
+        Evidence::CompleteForAllStarts
     }
 
     fn tool(&self) -> String {
@@ -124,7 +124,7 @@ impl Tier for Complete {
         SOURCES
     }
 
-    fn status(&self, theorem: Theorem) -> Evidence {
-        COMPLETE.evidence(theorem, Starts::Complete, "all real starts")
+    fn status(&self, theorem: Theorem) -> Status {
+        COMPLETE.evidence(theorem, StartSpace::Complete, "all real starts")
     }
 }

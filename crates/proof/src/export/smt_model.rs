@@ -1,12 +1,12 @@
 //! Solvers' answers, read back: the values of a model, and what they do when the spec runs them.
 
 use cordon_spec::coverage::exec_coverage;
-use cordon_spec::theorems::{Setting, Truth, Verdict, Violation};
+use cordon_spec::theorems::{Setting, Truth, Verdict};
 use cordon_spec::{Params, State};
 use num_traits::Zero;
 
 use super::smt2::{Obligation, Query};
-use cordon_core::{Error, Rational, Result, exact};
+use cordon_core::{Error, Rational, Result, exact, violation};
 
 /// What a solver said.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -133,13 +133,12 @@ fn bad(expected: &str) -> Error {
 /// What the spec says of a model, run over exact rationals.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Replay {
-    /// The start meets the hypothesis and the conclusion fails: at this protocol step k (of the
-    /// statement about X^k), and there as the violation says.
+    /// The start meets the hypothesis and the conclusion fails.
     Violates {
-        /// The step the violated statement is about.
-        k: usize,
-        /// Where it fails, counted from k.
-        violation: Violation,
+        /// The step k that the violated statement is about.
+        step: usize,
+        /// What fails, in words with exact values.
+        what: String,
     },
     /// It does not: the model is no counterexample.
     DoesNot(&'static str),
@@ -167,7 +166,9 @@ pub fn replay(query: &Query, model: &Model) -> Replay {
     }
     for k in 0..=steps {
         if let Verdict::Violated(violation) = claim.conclusion(form, &setting, &run[k..]) {
-            return Replay::Violates { k, violation };
+            let ends = [&model.params.min, &model.params.max];
+            let what = violation::in_words(ends, &run[k..], k as u64, violation);
+            return Replay::Violates { step: k, what };
         }
     }
     Replay::DoesNot("the conclusion holds at every step looked at")

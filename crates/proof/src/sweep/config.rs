@@ -3,7 +3,8 @@
 use cordon_spec::theorems::{Form, Theorem, Truth};
 use serde::{Deserialize, Serialize};
 
-use super::weights::Weights;
+use super::weights::WeightSet;
+use crate::counterexample::Counterexample;
 use cordon_core::{Error, Rational, Result};
 
 /// What a sweep covers. Two sweeps with equal configurations find exactly the same.
@@ -12,27 +13,29 @@ use cordon_core::{Error, Rational, Result};
 pub struct Config {
     /// Version of the program that ran it: results of different versions are not mixed.
     pub version: String,
-    /// Numbers of the theorems, in the paper's order.
-    pub theorems: Vec<String>,
-    /// `paper`, `sharp` or both.
-    pub forms: Vec<String>,
+    /// The theorems, in the paper's order.
+    #[serde(with = "cordon_core::serial::list")]
+    pub theorems: Vec<Theorem>,
+    /// One form of them or both.
+    #[serde(with = "cordon_core::serial::list")]
+    pub forms: Vec<Form>,
     /// Fewest and most drones, at least 3.
     pub drones: [usize; 2],
     /// The weights.
-    pub weights: Weights,
+    pub weights: WeightSet,
     /// Keep to each theorem's own range of weights; otherwise its conclusion is asked for
     /// every weight, which shows why the range is needed.
     pub only_weights_of_the_theorem: bool,
     /// Last step k at which conclusions are asked; the first is 0.
     pub steps: usize,
     /// How starts are covered.
-    pub starts: Starts,
+    pub starts: StartSpace,
 }
 
 /// How the starts are covered: the kind of evidence.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub enum Starts {
+pub enum StartSpace {
     /// Every start on the grid.
     Grid {
         /// Least number of grid units across the region where internal drones start.
@@ -66,6 +69,13 @@ pub struct Item {
     pub eps: Rational,
 }
 
+impl Item {
+    /// The counterexample that a start is for step k, if the spec says that it is one.
+    pub fn refuted_by(&self, start: Vec<Rational>, step: usize) -> Option<Counterexample> {
+        Counterexample::replay(self.theorem, self.form, &self.eps, start, step)
+    }
+}
+
 /// Most drones and steps: beyond, a sweep would not end in anybody's lifetime.
 const MAX_DRONES: usize = 64;
 const MAX_STEPS: usize = 100_000;
@@ -79,14 +89,14 @@ impl Config {
         theorems: &[Theorem],
         forms: &[Form],
         drones: [usize; 2],
-        weights: Weights,
+        weights: WeightSet,
         steps: usize,
-        starts: Starts,
+        starts: StartSpace,
     ) -> Self {
         Self {
             version: env!("CARGO_PKG_VERSION").into(),
-            theorems: theorems.iter().map(|t| t.number().into()).collect(),
-            forms: forms.iter().map(|f| f.label().into()).collect(),
+            theorems: theorems.to_vec(),
+            forms: forms.to_vec(),
             drones,
             weights,
             only_weights_of_the_theorem: true,
@@ -105,10 +115,8 @@ impl Config {
         let weights = self.weights.listed()?;
         let [fewest, most] = self.drones;
         let mut items = Vec::new();
-        for theorem in &self.theorems {
-            let theorem = theorem_of(theorem)?;
-            for form in &self.forms {
-                let form = form_of(form)?;
+        for &theorem in &self.theorems {
+            for &form in &self.forms {
                 let range = theorem.hypothesis(form).weights;
                 for drones in fewest..=most {
                     for eps in &weights {
@@ -148,35 +156,13 @@ impl Config {
             )));
         }
         match self.starts {
-            Starts::Grid { resolution: 0 } | Starts::Sample { resolution: 0, .. } => {
+            StartSpace::Grid { resolution: 0 } | StartSpace::Sample { resolution: 0, .. } => {
                 Err(Error::input("grid: `0`: expected at least 1"))
             }
-            Starts::Sample { samples: 0, .. } => {
+            StartSpace::Sample { samples: 0, .. } => {
                 Err(Error::input("sample: `0`: expected at least 1"))
             }
             _ => Ok(()),
         }
     }
-}
-
-/// The theorem of a number like `7.4ii`.
-///
-/// # Errors
-/// No theorem has it.
-pub fn theorem_of(number: &str) -> Result<Theorem> {
-    Theorem::ALL
-        .into_iter()
-        .find(|t| t.number() == number)
-        .ok_or_else(|| Error::input(format!("theorem: `{number}` is unknown")))
-}
-
-/// The form of a label.
-///
-/// # Errors
-/// No form has it.
-pub fn form_of(label: &str) -> Result<Form> {
-    Form::ALL
-        .into_iter()
-        .find(|f| f.label() == label)
-        .ok_or_else(|| Error::input(format!("form: `{label}`: expected `paper` or `sharp`")))
 }

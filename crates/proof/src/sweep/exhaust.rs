@@ -4,15 +4,17 @@
 //! number, then on 128-bit, 256-bit and big integers, each taking over where the narrower one
 //! ends. Nothing wraps, nothing is checked at run time, nothing is rounded.
 
-use cordon_spec::theorems::{Form, Setting, Theorem, Truth, Verdict, Violation};
+use cordon_spec::theorems::{Form, Setting, Theorem, Truth, Verdict};
 use num_bigint::BigInt;
 
 use super::config::Item;
-use super::finding::{Counterexample, Counts, described};
+use super::finding::Counts;
 use super::grid::{Grid, Piece};
 use super::kernel::{Dynamic, Fixed, Shape, Window, widened};
 use super::machine::{Machine, Wide, Widened};
 use super::range::Range;
+use crate::counterexample::Counterexample;
+use cordon_core::Rational;
 use cordon_core::stencil::Stencil;
 
 /// Counts, and the first violation: least k, then first in the order of the starts.
@@ -20,8 +22,8 @@ use cordon_core::stencil::Stencil;
 pub struct Tally {
     /// The counts.
     pub counts: Counts,
-    /// The first violation: its step k, its start, what fails.
-    pub first: Option<(usize, Vec<i64>, String)>,
+    /// The first violation: its step k and its start.
+    pub first: Option<(usize, Vec<i64>)>,
 }
 
 impl Tally {
@@ -29,7 +31,7 @@ impl Tally {
     pub fn merge(mut self, other: Self) -> Self {
         self.counts = self.counts.plus(other.counts);
         self.first = match (self.first, other.first) {
-            (Some(a), Some(b)) => Some(if (a.0, &a.1) <= (b.0, &b.1) { a } else { b }),
+            (Some(a), Some(b)) => Some(a.min(b)),
             (a, b) => a.or(b),
         };
         self
@@ -41,30 +43,27 @@ impl Tally {
             Verdict::Holds => self.counts.non_vacuous += times,
             Verdict::Vacuous => {}
             Verdict::Undecided => self.counts.undecided += times,
-            Verdict::Violated(violation) => {
+            Verdict::Violated(_) => {
                 self.counts.non_vacuous += times;
                 self.counts.violations += times;
-                self.violated(violation, k, start);
+                self.violated(k, start);
             }
         }
     }
 
     #[cold]
-    fn violated(&mut self, violation: Violation, k: usize, start: &[i64]) {
-        let earlier =
-            |(step, first, _): &(usize, Vec<i64>, String)| (*step, first.as_slice()) <= (k, start);
+    fn violated(&mut self, k: usize, start: &[i64]) {
+        let earlier = |(step, first): &(usize, Vec<i64>)| (*step, first.as_slice()) <= (k, start);
         if !self.first.as_ref().is_some_and(earlier) {
-            self.first = Some((k, start.to_vec(), described(violation)));
+            self.first = Some((k, start.to_vec()));
         }
     }
 
-    /// The first violation as a counterexample.
-    pub fn counterexample(&self) -> Option<Counterexample> {
-        self.first.as_ref().map(|(step, start, violation)| Counterexample {
-            step: *step,
-            start: start.iter().map(ToString::to_string).collect(),
-            violation: violation.clone(),
-        })
+    /// The first violation, run again by the spec; `None` too where the spec does not confirm
+    /// it.
+    pub fn counterexample(&self, item: &Item) -> Option<Counterexample> {
+        let (step, start) = self.first.as_ref()?;
+        item.refuted_by(start.iter().map(|&x| Rational::from_integer(x.into())).collect(), *step)
     }
 }
 

@@ -1,35 +1,11 @@
 //! What one work item has found.
 
-use cordon_spec::theorems::{Subject, Violation};
+use cordon_spec::theorems::{Form, Theorem};
 use serde::{Deserialize, Serialize};
 
 use super::config::Item;
-use cordon_core::Outcome;
-
-/// The kind of evidence a row is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum Evidence {
-    /// Random starts were tried.
-    #[serde(rename = "sampled")]
-    Sampled,
-    /// Every start on a grid was tried.
-    #[serde(rename = "exhaustive on a grid")]
-    ExhaustiveOnGrid,
-    /// Decided for all real starts.
-    #[serde(rename = "complete for all starts")]
-    CompleteForAllStarts,
-}
-
-impl Evidence {
-    /// The kind in words.
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::Sampled => "sampled",
-            Self::ExhaustiveOnGrid => "exhaustive on a grid",
-            Self::CompleteForAllStarts => "complete for all starts",
-        }
-    }
-}
+use crate::counterexample::Counterexample;
+use cordon_core::{Evidence, Outcome, Rational, serial};
 
 /// What became of a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -66,31 +42,25 @@ impl Judgement {
     }
 }
 
-/// A start from which a conclusion fails.
+/// A start from which a conclusion fails: what a result file keeps of a counterexample, which
+/// is enough to run it again.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Counterexample {
+pub struct Witness {
     /// The step k whose conclusion fails.
     pub step: usize,
-    /// Integer positions X^0, of every drone; the segment is from the first to the last.
-    pub start: Vec<String>,
-    /// What fails, and how many steps after k it shows.
+    /// Positions X^0 of every drone; the segment is from the first to the last.
+    #[serde(with = "serial::list")]
+    pub start: Vec<Rational>,
+    /// What fails, in words.
     pub violation: String,
 }
 
-/// What fails in a violation, in words.
-pub fn described(violation: Violation) -> String {
-    let what = match violation.subject {
-        Subject::Pair(i) => format!("order of drones {i} and {}", i + 1),
-        Subject::Drone(i) => format!("position of drone {i}"),
-        Subject::Sum => "sum of the positions".to_owned(),
-        Subject::Energy => "sum of the squared errors".to_owned(),
-    };
-    if violation.step == 0 { what } else { format!("{what}, {} later", steps(violation.step)) }
-}
-
-fn steps(n: usize) -> String {
-    if n == 1 { "1 step".to_owned() } else { format!("{n} steps") }
+impl From<&Counterexample> for Witness {
+    fn from(found: &Counterexample) -> Self {
+        let (step, start) = (found.step, found.start().to_vec());
+        Self { step, start, violation: found.what_fails() }
+    }
 }
 
 /// Counts of the cases of a work item. On a grid a case is a start and a step k; in a complete
@@ -144,14 +114,17 @@ impl Counts {
 pub struct Finding {
     /// Position in the sweep, from 0.
     pub item: usize,
-    /// Number of the theorem.
-    pub theorem: String,
+    /// The theorem.
+    #[serde(with = "serial")]
+    pub theorem: Theorem,
     /// Its form.
-    pub form: String,
+    #[serde(with = "serial")]
+    pub form: Form,
     /// Number of drones N.
     pub drones: usize,
-    /// The weight, p/q.
-    pub eps: String,
+    /// The weight.
+    #[serde(with = "serial")]
+    pub eps: Rational,
     /// The kind of evidence.
     pub evidence: Evidence,
     /// Length of the segment in grid units; none in a complete sweep.
@@ -162,7 +135,7 @@ pub struct Finding {
     /// What they say.
     pub verdict: Judgement,
     /// The counterexample with the least k, and of these the first on the grid.
-    pub counterexample: Option<Counterexample>,
+    pub counterexample: Option<Witness>,
     /// Why a case is undecided.
     pub reason: Option<String>,
 }
@@ -173,10 +146,10 @@ impl Finding {
     pub fn new(item: &Item, evidence: Evidence, counts: Counts) -> Self {
         Self {
             item: item.number,
-            theorem: item.theorem.number().into(),
-            form: item.form.label().into(),
+            theorem: item.theorem,
+            form: item.form,
             drones: item.drones,
-            eps: item.eps.to_string(),
+            eps: item.eps.clone(),
             evidence,
             segment: None,
             counts,

@@ -27,6 +27,6 @@ pub mod store;
 pub mod summary;
 pub mod weights;
 
-pub use config::{Config, Item, Starts};
-pub use finding::{Counterexample, Counts, Evidence, Finding, Judgement};
-pub use weights::Weights;
+pub use config::{Config, Item, StartSpace};
+pub use finding::{Counts, Finding, Judgement};
+pub use weights::WeightSet;

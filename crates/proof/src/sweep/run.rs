@@ -11,12 +11,12 @@ use num_bigint::BigUint;
 use rayon::prelude::*;
 
 use super::complete::complete;
-use super::config::{Config, Item, Starts};
+use super::config::{Config, Item, StartSpace};
 use super::exhaust::{Tally, engine, sweep};
-use super::finding::{Evidence, Finding};
+use super::finding::{Finding, Witness};
 use super::grid::Grid;
 use super::sample::{PIECE, sample};
-use cordon_core::{Error, Result};
+use cordon_core::{Error, Evidence, Result};
 
 /// Work done so far, in drone updates (in a complete sweep: in work items); other threads may
 /// watch it.
@@ -48,7 +48,7 @@ impl Progress {
 /// # Errors
 /// It cannot be counted in 64 bits: such a sweep would not end.
 pub fn work(config: &Config, items: &[Item]) -> Result<u64> {
-    if config.starts == Starts::Complete {
+    if config.starts == StartSpace::Complete {
         return Ok(items.len() as u64);
     }
     let mut total = BigUint::ZERO;
@@ -64,9 +64,9 @@ pub fn work(config: &Config, items: &[Item]) -> Result<u64> {
 
 fn work_of(config: &Config, item: &Item) -> Result<BigUint> {
     let starts = match config.starts {
-        Starts::Grid { resolution } => grid(item, resolution)?.size(),
-        Starts::Sample { samples, .. } => samples.into(),
-        Starts::Complete => return Ok(1u8.into()),
+        StartSpace::Grid { resolution } => grid(item, resolution)?.size(),
+        StartSpace::Sample { samples, .. } => samples.into(),
+        StartSpace::Complete => return Ok(1u8.into()),
     };
     let span = item.theorem.span(item.form, item.drones);
     Ok(starts * (item.drones * (config.steps + span)))
@@ -120,12 +120,12 @@ pub fn run(
 
 fn find(config: &Config, item: &Item, progress: &Progress) -> Result<Finding> {
     match config.starts {
-        Starts::Complete => {
+        StartSpace::Complete => {
             let finding = complete(item, config.steps);
             progress.add(1, 1);
             Ok(finding)
         }
-        Starts::Grid { resolution } => {
+        StartSpace::Grid { resolution } => {
             let grid = grid(item, resolution)?;
             let engine = engine(item, config.steps, grid.length);
             let updates = per_start(config, item);
@@ -138,9 +138,9 @@ fn find(config: &Config, item: &Item, progress: &Progress) -> Result<Finding> {
                     tally
                 })
                 .reduce(Tally::default, Tally::merge);
-            Ok(finding(item, Evidence::ExhaustiveOnGrid, &grid, &tally))
+            finding(item, Evidence::ExhaustiveOnGrid, &grid, &tally)
         }
-        Starts::Sample { resolution, samples, seed } => {
+        StartSpace::Sample { resolution, samples, seed } => {
             let grid = grid(item, resolution)?;
             let engine = engine(item, config.steps, grid.length);
             let updates = per_start(config, item);
@@ -152,7 +152,7 @@ fn find(config: &Config, item: &Item, progress: &Progress) -> Result<Finding> {
                     tally
                 })
                 .reduce(Tally::default, Tally::merge);
-            Ok(finding(item, Evidence::Sampled, &grid, &tally))
+            finding(item, Evidence::Sampled, &grid, &tally)
         }
     }
 }
@@ -175,12 +175,19 @@ fn per_start(config: &Config, item: &Item) -> u64 {
     (item.drones * (config.steps + item.theorem.span(item.form, item.drones))) as u64
 }
 
-fn finding(item: &Item, evidence: Evidence, grid: &Grid, tally: &Tally) -> Finding {
+fn finding(item: &Item, evidence: Evidence, grid: &Grid, tally: &Tally) -> Result<Finding> {
     let undecided = tally.counts.undecided > 0;
-    Finding {
+    let counterexample = tally.counterexample(item);
+    if counterexample.is_none() && tally.first.is_some() {
+        return Err(Error::input(format!(
+            "work item {}: the spec does not confirm the violation that the sweep found",
+            item.number
+        )));
+    }
+    Ok(Finding {
         segment: Some(grid.length),
-        counterexample: tally.counterexample(),
+        counterexample: counterexample.as_ref().map(Witness::from),
         reason: undecided.then(|| "the predicate left a case open".to_owned()),
         ..Finding::new(item, evidence, tally.counts)
-    }
+    })
 }

@@ -228,8 +228,7 @@ fn in_order(path: &Path, findings: &[Finding], items: &[Item]) -> Result<()> {
 /// Whether a finding is about this item.
 pub fn belongs(finding: &Finding, item: &Item) -> bool {
     finding.item == item.number
-        && finding.theorem == item.theorem.number()
-        && finding.form == item.form.label()
+        && (finding.theorem, finding.form) == (item.theorem, item.form)
         && finding.drones == item.drones
-        && finding.eps == item.eps.to_string()
+        && finding.eps == item.eps
 }

@@ -1,17 +1,19 @@
-//! Findings put together: one claim for each theorem and form.
+//! Findings put together: one summary for each theorem and form.
 
 use cordon_core::theorems::words;
 use cordon_spec::theorems::{Form, Theorem};
 use serde_json::{Value, json};
 
-use super::config::{Config, form_of, theorem_of};
-use super::finding::{Counts, Evidence, Finding, Judgement};
-use super::minimise::Minimal;
-use cordon_core::{Outcome, Result};
+use super::config::Config;
+use super::finding::{Counts, Finding, Judgement};
+use super::minimise::simplest;
+use crate::counterexample::Counterexample;
+use cordon_core::exact::fraction;
+use cordon_core::{Evidence, Outcome, Result};
 
 /// What a sweep has found of one theorem in one form.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Claim {
+pub struct Summary {
     /// The theorem.
     pub theorem: Theorem,
     /// Its form.
@@ -33,31 +35,31 @@ pub struct Claim {
     /// The kind of evidence, where there is any.
     pub evidence: Option<Evidence>,
     /// The simplest counterexample.
-    pub counterexample: Option<Minimal>,
+    pub counterexample: Option<Counterexample>,
     /// Why the first undecided item is.
     pub reason: Option<String>,
 }
 
-/// The claims of a sweep, in the order of its configuration. `part` says that the findings
+/// What a sweep says of each theorem and form, in the order of its configuration. `part` says that the findings
 /// are one part of several, in which a claim may have no item.
 ///
 /// # Errors
-/// A finding that names no theorem, form or weight.
-pub fn claims(config: &Config, findings: &[Finding], part: bool) -> Result<Vec<Claim>> {
-    let mut claims = Vec::new();
-    for theorem in &config.theorems {
-        for form in &config.forms {
-            let about = |f: &&Finding| f.theorem == *theorem && f.form == *form;
+/// A finding whose counterexample the spec does not confirm.
+pub fn summaries(config: &Config, findings: &[Finding], part: bool) -> Result<Vec<Summary>> {
+    let mut summaries = Vec::new();
+    for &theorem in &config.theorems {
+        for &form in &config.forms {
+            let about = |f: &&Finding| f.theorem == theorem && f.form == form;
             let mine: Vec<&Finding> = findings.iter().filter(about).collect();
             if !(part && mine.is_empty()) {
-                claims.push(claim(theorem_of(theorem)?, form_of(form)?, &mine)?);
+                summaries.push(summary(theorem, form, &mine)?);
             }
         }
     }
-    Ok(claims)
+    Ok(summaries)
 }
 
-fn claim(theorem: Theorem, form: Form, findings: &[&Finding]) -> Result<Claim> {
+fn summary(theorem: Theorem, form: Form, findings: &[&Finding]) -> Result<Summary> {
     let number = |j: Judgement| findings.iter().filter(|f| f.verdict == j).count();
     let (holding, vacuous) = (number(Judgement::Holds), number(Judgement::Vacuous));
     let (undecided, refuted) = (number(Judgement::Undecided), number(Judgement::Refuted));
@@ -70,7 +72,7 @@ fn claim(theorem: Theorem, form: Form, findings: &[&Finding]) -> Result<Claim> {
     } else {
         Judgement::Vacuous
     };
-    Ok(Claim {
+    Ok(Summary {
         theorem,
         form,
         items: findings.len(),
@@ -81,7 +83,7 @@ fn claim(theorem: Theorem, form: Form, findings: &[&Finding]) -> Result<Claim> {
         counts: findings.iter().fold(Counts::default(), |sum, f| sum.plus(f.counts)),
         verdict,
         evidence: findings.first().map(|f| f.evidence),
-        counterexample: Minimal::of(findings.iter().copied())?,
+        counterexample: simplest(findings.iter().copied())?,
         reason: findings
             .iter()
             .find(|f| f.verdict == Judgement::Undecided)
@@ -89,13 +91,13 @@ fn claim(theorem: Theorem, form: Form, findings: &[&Finding]) -> Result<Claim> {
     })
 }
 
-/// How a sweep with these claims ends.
-pub fn outcome(claims: &[Claim]) -> Outcome {
-    claims.iter().fold(Outcome::Holds, |worst, c| worst.worst(c.verdict.outcome()))
+/// How a sweep with these summaries ends.
+pub fn outcome(summaries: &[Summary]) -> Outcome {
+    summaries.iter().fold(Outcome::Holds, |worst, s| worst.worst(s.verdict.outcome()))
 }
 
-impl Claim {
-    /// The claim for programs.
+impl Summary {
+    /// For programs.
     pub fn json(&self) -> Value {
         json!({
             "theorem": self.theorem.number(),
@@ -111,12 +113,12 @@ impl Claim {
             "counts": self.counts,
             "reason": self.reason,
             "counterexample": self.counterexample.as_ref().map(|c| json!({
-                "drones": c.drones,
-                "eps": c.eps.to_string(),
+                "drones": c.start().len(),
+                "eps": fraction(&c.eps),
                 "step": c.step,
-                "start": c.start,
-                "violation": c.violation,
-                "replay": c.replay(),
+                "start": c.start().iter().map(fraction).collect::<Vec<_>>(),
+                "violation": c.what_fails(),
+                "replay": c.replay_line(),
             })),
         })
     }

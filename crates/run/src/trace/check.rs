@@ -4,13 +4,12 @@ use std::collections::{BTreeMap, VecDeque};
 
 use cordon_core::theorems;
 use cordon_spec::State;
-use cordon_spec::placement::{scaled_energy, scaled_target, sum};
-use cordon_spec::theorems::{Form, Setting, Subject, Theorem, Truth, Verdict, Violation};
+use cordon_spec::theorems::{Form, Setting, Theorem, Truth, Verdict};
 
 use crate::scenario::Scenario;
 use crate::simulate;
 use cordon_core::exact::Rational;
-use cordon_core::{Error, Outcome, Result};
+use cordon_core::{Error, Outcome, Result, violation};
 
 /// What a check found of one theorem along one run.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -82,7 +81,8 @@ pub fn check(
         for c in &mut checks {
             let verdict = c.theorem.conclusion(form, &setting, run);
             if let (Verdict::Violated(v), None) = (verdict, &c.first_violation) {
-                c.first_violation = Some((step, explain(c.theorem, &setting, run, step, v)));
+                let ends = [&setting.min, &setting.max];
+                c.first_violation = Some((step, violation::in_words(ends, run, step, v)));
             }
             c.verdicts.insert(step, verdict);
         }
@@ -125,45 +125,4 @@ fn require_start(
         form.label(),
         theorems::starts(starts)
     )))
-}
-
-/// The violation in words, with exact values. `run` begins with the placement of `step`.
-fn explain(
-    theorem: Theorem,
-    setting: &Setting<Rational>,
-    run: &[Vec<Rational>],
-    step: u64,
-    violation: Violation,
-) -> String {
-    let Some(x) = run.get(violation.step) else {
-        return theorems::words(theorem).name.to_owned();
-    };
-    let at = step + violation.step as u64;
-    let position = |i: usize| x.get(i).map_or_else(String::new, ToString::to_string);
-    match violation.subject {
-        Subject::Pair(i) => {
-            let j = i + 1;
-            let (a, b) = (position(i), position(j));
-            format!("at step {at} drones {i} and {j}: X_{i} = {a} is not below X_{j} = {b}")
-        }
-        Subject::Drone(i) => {
-            let gaps = Rational::from_integer((x.len() - 1).into());
-            let target = scaled_target(&setting.min, &setting.max, x.len(), i) / gaps;
-            format!("at step {at} drone {i}: X_{i} = {}, target T_{i} = {target}", position(i))
-        }
-        Subject::Sum => {
-            let value =
-                |(h, x): (usize, &Vec<Rational>)| format!("c^{} = {}", step + h as u64, sum(x));
-            let sums: Vec<_> = run.iter().enumerate().map(value).collect();
-            format!("at step {at} the sum of the positions: {}", sums.join(", "))
-        }
-        Subject::Energy => {
-            let energy = |x: &[Rational]| scaled_energy(&setting.min, &setting.max, x).to_string();
-            let values: Vec<_> = run.iter().take(2).map(|x| energy(x)).collect();
-            format!(
-                "at step {at} the sum of the squared errors, times (N-1)^2, does not fall: {}",
-                values.join(", then ")
-            )
-        }
-    }
 }

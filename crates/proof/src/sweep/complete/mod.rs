@@ -45,9 +45,11 @@ use num_bigint::BigInt;
 use num_traits::Zero;
 
 use super::config::Item;
-use super::finding::{Counterexample, Counts, Evidence, Finding, described};
+use super::finding::{Counts, Finding, Witness};
 use super::kernel::Window;
+use super::run::starts;
 use cordon_core::stencil::Stencil;
+use cordon_core::{Evidence, Rational};
 use decide::{Decider, Decision, Premise};
 
 /// Decides a work item for all starts and the steps `0 ..= steps`.
@@ -73,12 +75,12 @@ pub fn complete(item: &Item, steps: usize) -> Finding {
                 }
             },
             Decision::Fails { candidates, why } => {
-                let refuting = candidates.iter().find_map(|start| refuted_by(item, k, start));
-                match refuting {
-                    Some(found) => {
+                match candidates.into_iter().find(|start| violates(item, k, start)) {
+                    Some(start) => {
                         counts.violations += 1;
                         counts.non_vacuous += 1;
-                        counterexample.get_or_insert(found);
+                        let start = start.into_iter().map(Rational::from_integer).collect();
+                        counterexample = counterexample.or_else(|| item.refuted_by(start, k));
                     }
                     None => {
                         counts.undecided += 1;
@@ -92,36 +94,24 @@ pub fn complete(item: &Item, steps: usize) -> Finding {
     counts.updates = updates as u64;
     let reason = undecided.or(unknown_premise);
     let evidence = Evidence::CompleteForAllStarts;
+    let counterexample = counterexample.as_ref().map(Witness::from);
     Finding { counterexample, reason, ..Finding::new(item, evidence, counts) }
 }
 
-/// The counterexample that a start is for step k, if the spec says that it is one.
-fn refuted_by(item: &Item, k: usize, start: &[BigInt]) -> Option<Counterexample> {
-    let (min, max) = (start.first()?, start.last()?);
-    let setting = Setting {
-        min: min.clone(),
-        max: max.clone(),
-        eps_num: item.eps.numer().clone(),
-        eps_den: item.eps.denom().clone(),
-    };
-    let starts = item.theorem.hypothesis(item.form).starts;
-    if min >= max || !starts.contains(&setting, start).is_true() {
-        return None;
-    }
+/// Whether the spec's predicates say that a placement is a start and that its run violates the
+/// conclusion about step k.
+fn violates(item: &Item, k: usize, start: &[BigInt]) -> bool {
     let stencil = Stencil::of(&item.eps);
-    let span = item.theorem.span(item.form, item.drones);
-    let mut window = Window::new(setting, start.to_vec(), span, &stencil);
+    let mut run = run_from(item, &stencil, start);
+    let admitted = run.setting.min < run.setting.max
+        && run.run.first().is_some_and(|x| starts(item).contains(&run.setting, x).is_true());
+    if !admitted {
+        return false;
+    }
     for _ in 0..k {
-        window.advance(&stencil);
+        run.advance(&stencil);
     }
-    match window.verdict(item.theorem, item.form) {
-        Verdict::Violated(violation) => Some(Counterexample {
-            step: k,
-            start: start.iter().map(ToString::to_string).collect(),
-            violation: described(violation),
-        }),
-        _ => None,
-    }
+    matches!(run.verdict(item.theorem, item.form), Verdict::Violated(_))
 }
 
 /// The run from a placement that need not be a start; the segment is from its first drone to

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::own_protocol;
 use super::select::OutputFormat;
-use cordon_core::{Error, Outcome, Rational, Result, exact, files};
+use cordon_core::{Error, Outcome, Rational, Result, files, range};
 use cordon_proof::prove::claims::Claim;
 use cordon_proof::prove::{Effort, Found, Scope, evident, exactness, prove};
 
@@ -26,8 +26,8 @@ pub struct Args {
     /// Form of the theorems
     #[arg(long, value_enum, default_value_t = FormChoice::Sharp)]
     pub form: FormChoice,
-    /// An interval of weights, ends included, in the place of each theorem's own range
-    #[arg(long, value_name = "FROM..TO")]
+    /// Weight or range of weights in the place of each theorem's own range
+    #[arg(long, value_name = "E|LO..HI", allow_hyphen_values = true)]
     pub eps: Option<String>,
     /// Number of drones: one N >= 3, or every N
     #[arg(long, value_name = "N|any", default_value = "any")]
@@ -71,7 +71,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         return own_protocol::prove(path, args.out.as_deref(), &search, args.format, out);
     }
     let drones = drones(&args.drones)?;
-    let weights = args.eps.as_deref().map(interval).transpose()?;
+    let weights = args.eps.as_deref().map(|t| range::closed("eps", t)).transpose()?;
     let tasks = tasks(args, drones.is_some() || weights.is_some())?;
     if let Some(folder) = &args.out {
         std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
@@ -246,15 +246,4 @@ fn drones(text: &str) -> Result<Option<u32>> {
             "--drones: `{text}`: expected `any` or a number from 3 to 1000000"
         ))),
     }
-}
-
-fn interval(text: &str) -> Result<(Rational, Rational)> {
-    let Some((from, to)) = text.split_once("..") else {
-        return Err(Error::input(format!("--eps: `{text}`: expected an interval like 0..1/2")));
-    };
-    let (from, to) = (exact::parse("--eps", from)?, exact::parse("--eps", to)?);
-    if from > to {
-        return Err(Error::input(format!("--eps: `{text}`: expected a lower end first")));
-    }
-    Ok((from, to))
 }

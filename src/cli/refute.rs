@@ -7,14 +7,14 @@ use cordon_spec::theorems::{Form, Theorem};
 use num_traits::{One, Zero};
 use serde_json::{Value, json};
 
+use super::own_protocol;
 use super::scenario_args::positions;
 use super::select::{FormArg, OutputFormat};
 use super::table::{self, abridged};
-use super::{own_protocol, ranges};
 use cordon_core::exact::fraction;
 use cordon_core::linear::simplest::fractions_within;
 use cordon_core::theorems;
-use cordon_core::{Error, Outcome, Rational, Result};
+use cordon_core::{Error, Outcome, Rational, Result, range};
 use cordon_proof::certificate::{self, Departure, REJECTED};
 use cordon_proof::counterexample::Counterexample;
 use cordon_proof::refute::{Answer, Coverage, Extent, Query, Weights, activation, delay, search};
@@ -156,7 +156,7 @@ impl Args {
 
     fn queries(&self) -> Result<Vec<Query>> {
         let theorems = theorems::named(self.theorem.as_deref().unwrap_or("all"))?;
-        let drones = ranges::drones(&self.drones, MOST_DRONES)?;
+        let drones: Vec<usize> = range::whole("drones", &self.drones, 3..=MOST_DRONES)?.collect();
         let weights = self.weights()?;
         let form = Form::from(self.form);
         let query = |theorem| Query {
@@ -174,7 +174,7 @@ impl Args {
             let unit = fractions_within(&Rational::zero(), &Rational::one(), self.denominators);
             return Ok(Weights::InRange(unit));
         };
-        let (lo, hi) = ranges::interval("eps", text)?;
+        let (lo, hi) = range::closed("eps", text)?;
         if lo == hi {
             return Ok(Weights::Given(vec![lo]));
         }

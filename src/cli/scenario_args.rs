@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use cordon_spec::Phase;
 
 use cordon_core::exact::{self, Rational};
-use cordon_core::{Error, Result};
+use cordon_core::{Error, Result, range};
 use cordon_cosim::interchange::into_cps;
 use cordon_run::scenario::{self, Draft, Flight, Scenario, Start};
 
@@ -121,10 +121,7 @@ impl ScenarioArgs {
 /// # Errors
 /// An entry that is no number.
 pub(super) fn positions(list: &str) -> Result<Vec<Rational>> {
-    list.split(',')
-        .enumerate()
-        .map(|(i, text)| exact::parse(&format!("start: drone {i}"), text))
-        .collect()
+    range::list(|i| format!("start: drone {i}"), list)
 }
 
 fn phase(text: &str) -> Result<Phase> {

@@ -317,15 +317,18 @@ fn damaged_files_are_refused() {
 #[test]
 fn bad_input_is_refused() {
     refused("9.9", "theorem: `9.9` is unknown");
-    refused("7.2 --drones 2..4", "drones: `2..4`: expected LO..HI with 3 <= LO <= HI <= 64");
+    refused(
+        "7.2 --drones 2..4",
+        "drones: `2..4`: expected a number from 3 to 64, or a range like 3..7",
+    );
     refused("7.2 --drones 5..4", "drones: `5..4`");
     refused("7.2 --drones 3..65", "drones: `3..65`");
-    refused("7.2 --drones many", "drones: `many`: expected LO..HI or a number");
+    refused("7.2 --drones many", "drones: `many`: expected a number from 3 to 64");
     refused("7.2 --eps 1/0", "eps: `1/0` divides by zero");
     refused("7.2 --eps abc", "eps: `abc` is not a number");
     refused("7.2 --eps nan", "eps: `nan` is not a number");
-    refused("7.2 --eps-range 1/2", "eps-range: `1/2`: expected LO..HI");
-    refused("7.2 --eps-range 1..0", "eps-range: `1..0`: expected LO <= HI");
+    refused("7.2 --eps-range 1/2,1", "eps-range: `1/2,1` is not a number");
+    refused("7.2 --eps-range 1..0", "eps-range: `1..0`: expected a range that is not empty");
     refused("7.2 --eps-range 1/7..1/7 --max-denominator 5", "eps: no weight is in the range");
     refused("7.2 --max-denominator 0", "max-denominator: `0`: expected at least 1");
     refused("7.2 --max-denominator 4000000", "max-denominator: `4000000`: expected at most");

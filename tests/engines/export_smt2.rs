@@ -220,7 +220,7 @@ fn formulas_agree_with_the_spec_at_random_points() {
         for form in Form::ALL {
             for drones in 3..=5 {
                 // Without restriction of the weights something is to be found.
-                let wide = cordon_proof::export::smt2::Interval {
+                let wide = cordon_core::range::Interval {
                     low: rational(-1, 1),
                     low_closed: true,
                     high: rational(2, 1),
@@ -314,15 +314,21 @@ fn bad_input_is_named() {
         (&["7.8"], "error: theorem: `7.8` is unknown here (a limit has no inductive step)"),
         (
             &["--drones", "2"],
-            "error: --drones: `2`: expected a number or a range like 3..6, within 3..9",
+            "error: drones: `2`: expected a number from 3 to 9, or a range like 3..7",
         ),
-        (&["--drones", "3..10"], "error: --drones: `3..10`: expected"),
-        (&["--drones", "5..4"], "error: --drones: `5..4`: expected"),
-        (&["--drones", "many"], "error: --drones: `many`: expected"),
-        (&["--eps-range", "0,1"], "error: --eps-range: `0,1`: expected an interval like"),
-        (&["--eps-range", "[1,0]"], "error: --eps-range: `[1,0]` is empty"),
-        (&["--eps-range", "(1,1]"], "error: --eps-range: `(1,1]` is empty"),
-        (&["--eps-range", "[a,1]"], "error: --eps-range: `a` is not a number"),
+        (&["--drones", "3..10"], "error: drones: `3..10`: expected"),
+        (&["--drones", "5..4"], "error: drones: `5..4`: expected"),
+        (&["--drones", "many"], "error: drones: `many`: expected"),
+        (&["--eps-range", "0,1"], "error: eps-range: `0,1` is not a number"),
+        (
+            &["--eps-range", "[1,0]"],
+            "error: eps-range: `[1,0]`: expected a range that is not empty",
+        ),
+        (
+            &["--eps-range", "(1,1]"],
+            "error: eps-range: `(1,1]`: expected a range that is not empty",
+        ),
+        (&["--eps-range", "[a,1]"], "error: eps-range: `a` is not a number"),
         (
             &["7.2", "--negate", "--drones", "3"],
             "error: --negate: 7.2 with 3 drones holds for all 0 <= eps <= 1",

@@ -89,10 +89,12 @@ fn check_speaks_json() {
 
 #[test]
 fn prove_ends_with_the_verdict_it_found() {
-    let cases: [(&[&str], i32, &str); 7] = [
+    let cases: [(&[&str], i32, &str); 9] = [
         (&["7.3"], 0, "proved: 7.3 (sharp) for every N >= 3, 0 <= eps <= 1/2"),
         (&["7.4"], 0, "7.4ii-sharp: proved"),
         (&["7.2", "--drones", "3", "--eps", "0..1"], 0, "proved: 7.2 (sharp) for N = 3"),
+        (&["7.2", "--drones", "3", "--eps", "1/2"], 0, "7.2-sharp-n3-eps-1_2..1_2: proved"),
+        (&["7.2", "--drones", "3", "--eps", "1/2.."], 0, "7.2-sharp-n3-eps-1_2..1: proved"),
         (
             &["7.2", "--eps", "0..3/5"],
             1,
@@ -113,9 +115,9 @@ fn prove_ends_with_the_verdict_it_found() {
 fn prove_says_what_is_wrong_with_its_input() {
     let cases: [(&[&str], &str); 6] = [
         (&["7.9"], "claim: `7.9` is unknown: expected `all` or some of 7.2"),
-        (&["7.3", "--eps", "1/2"], "--eps: `1/2`: expected an interval like 0..1/2"),
-        (&["7.3", "--eps", "1/2..0"], "--eps: `1/2..0`: expected a lower end first"),
-        (&["7.3", "--eps", "0..1/0"], "--eps: `1/0` divides by zero"),
+        (&["7.3", "--eps", "(0,1/2]"], "eps: `(0,1/2]`: expected a range with both ends"),
+        (&["7.3", "--eps", "1/2..0"], "eps: `1/2..0`: expected a range that is not empty"),
+        (&["7.3", "--eps", "0..1/0"], "eps: `1/0` divides by zero"),
         (&["7.3", "--drones", "2"], "--drones: `2`: expected `any` or a number from 3"),
         (&["7.3", "--drones", "few"], "--drones: `few`: expected `any`"),
     ];

@@ -205,6 +205,7 @@ fn counterexamples_replay_from_the_command_line() {
     for (theorem, args) in [
         ("7.2", "--eps 3/5"),
         ("7.3", "--eps 0.5..0.75"),
+        ("7.3", "--eps 1/2.."),
         ("7.5i", "--eps 1"),
         ("7.7", "--eps 3/4 --drones 3"),
         ("7.6ii", "--form paper"),
@@ -219,7 +220,7 @@ fn counterexamples_replay_from_the_command_line() {
         assert!(trace.contains("FAILS"), "{trace}");
         replayed += 1;
     }
-    assert_eq!(replayed, 6);
+    assert_eq!(replayed, 7);
 }
 
 #[test]
@@ -263,6 +264,7 @@ fn mistakes_are_named() {
         ("7.2 --drones 5..3", "drones: `5..3`: expected a range that is not empty"),
         ("7.2 --drones x", "drones: `x`"),
         ("7.2 --eps 1/0", "eps: `1/0` divides by zero"),
+        ("7.2 --eps 2..", "eps: `2..`: expected a range that is not empty"),
         ("7.2 --eps 1..0", "eps: `1..0`: expected a range"),
         ("7.2 --eps 0..1000000", "expected a range of length 100 or less"),
         ("7.2 --eps 10/101..10/100.5", "is not a number"),

@@ -22,11 +22,13 @@ const MAX_LENGTH: usize = 100_000;
 /// Anything else, a zero denominator, and exponents beyond 10,000; `what` names the field.
 pub fn parse(what: &str, text: &str) -> Result<Rational> {
     let text = text.trim();
-    parse_exact(text).map_err(|why| {
-        let shown: String = text.chars().take(40).collect();
-        let dots = if text.chars().count() > 40 { "..." } else { "" };
-        Error::input(format!("{what}: `{shown}{dots}` {why}"))
-    })
+    parse_exact(text).map_err(|why| Error::input(format!("{what}: `{}` {why}", shortened(text))))
+}
+
+/// What a user wrote, cut where it is too long for a message.
+pub fn shortened(text: &str) -> String {
+    let shown: String = text.chars().take(40).collect();
+    if shown.len() < text.len() { shown + "..." } else { shown }
 }
 
 const EXPECTED: &str = "is not a number: expected an integer, a fraction like 1/5 or a decimal";

@@ -1,6 +1,7 @@
 //! What all of Cordon's engines stand on, and nothing that only one of them needs.
 //!
-//! * [`exact`]: rationals read and shown exactly; [`random`]: seeded choice.
+//! * [`exact`]: rationals read and shown exactly; [`range`]: ranges and lists of them;
+//!   [`random`]: seeded choice.
 //! * [`scalar`]: what the spec can be executed on besides rationals.
 //! * [`stencil`]: the step's coefficients; [`linear`], [`simplex`]: exact linear algebra and
 //!   programs.
@@ -14,6 +15,7 @@ pub mod exact;
 pub mod files;
 pub mod linear;
 pub mod random;
+pub mod range;
 pub mod scalar;
 pub mod serial;
 pub mod simplex;

@@ -11,7 +11,7 @@ use cordon_spec::coverage::exec_cvg;
 use cordon_spec::{Params, Scalar};
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Zero};
+use num_traits::One;
 
 use crate::Rational;
 
@@ -73,6 +73,12 @@ impl<T> Weights<T> {
         })
     }
 
+    /// The same weights as numbers of another kind.
+    pub fn map<U>(&self, f: impl Fn(&T) -> U) -> Weights<U> {
+        let Self { min, max, prec, own, foll } = self;
+        Weights { min: f(min), max: f(max), prec: f(prec), own: f(own), foll: f(foll) }
+    }
+
     /// The weights in the order `min, max, prec, own, foll`.
     pub fn as_array(&self) -> [&T; 5] {
         [&self.min, &self.max, &self.prec, &self.own, &self.foll]
@@ -106,20 +112,31 @@ impl Stencil {
     /// The weights that [`exec_cvg`] has for the weight `eps`, any rational, over their
     /// least common denominator.
     pub fn of(eps: &Rational) -> Self {
-        let [first, internal, last] = Role::ALL.map(|role| executed(eps, role));
+        let Stencil { first, internal, last, .. } = Stencil::executed(eps);
         let den = [&first, &internal, &last]
             .into_iter()
             .flat_map(Weights::as_array)
             .fold(BigInt::one(), |den, w| den.lcm(w.denom()));
-        let scaled = |w: Weights<Rational>| Weights {
-            min: times(&den, &w.min),
-            max: times(&den, &w.max),
-            prec: times(&den, &w.prec),
-            own: times(&den, &w.own),
-            foll: times(&den, &w.foll),
-        };
-        let (first, internal, last) = (scaled(first), scaled(internal), scaled(last));
+        let scaled = |w: &Weights<Rational>| w.map(|w| w.numer() * (&den / w.denom()));
+        let (first, internal, last) = (scaled(&first), scaled(&internal), scaled(&last));
         Self { den, first, internal, last }
+    }
+}
+
+impl<T: Scalar> Stencil<T> {
+    /// The weights that [`exec_cvg`] has for a weight eps of any kind, a symbol for one, over
+    /// the denominator 1: what it answers where one input is 1 and the others are 0.
+    pub fn executed(eps: &T) -> Self {
+        // A line of three has one drone of each role.
+        let [first, internal, last] = [0, 1, 2].map(|i| {
+            let at = |input: usize| {
+                let is = |j| T::from_int(i32::from(j == input));
+                let p = Params { min: is(0), max: is(1), eps: eps.clone(), n: 0 };
+                exec_cvg(&p, 3, &is(2), &is(3), &is(4), i)
+            };
+            Weights { min: at(0), max: at(1), prec: at(2), own: at(3), foll: at(4) }
+        });
+        Self { den: T::from_int(1), first, internal, last }
     }
 }
 
@@ -155,27 +172,6 @@ impl<T: Scalar> Stencil<T> {
         let foll = if i + 1 == x.len() { max } else { &x[i + 1] };
         self.weights(Role::of(i, x.len())).apply(min, max, prec, &x[i], foll)
     }
-}
-
-/// What `exec_cvg` answers where one input is 1 and the others are 0.
-fn executed(eps: &Rational, role: Role) -> Weights<Rational> {
-    // A line of three has one drone of each role.
-    let (count, i) = match role {
-        Role::First => (3, 0),
-        Role::Internal => (3, 1),
-        Role::Last => (3, 2),
-    };
-    let at = |input: usize| {
-        let is = |j| if j == input { Rational::one() } else { Rational::zero() };
-        let p = Params { min: is(0), max: is(1), eps: eps.clone(), n: 0 };
-        exec_cvg(&p, count, &is(2), &is(3), &is(4), i)
-    };
-    Weights { min: at(0), max: at(1), prec: at(2), own: at(3), foll: at(4) }
-}
-
-/// `den * w`, an integer since `den` is a multiple of w's denominator.
-fn times(den: &BigInt, w: &Rational) -> BigInt {
-    w.numer() * (den / w.denom())
 }
 
 #[cfg(test)]

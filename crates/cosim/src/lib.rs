@@ -22,7 +22,7 @@ pub mod cosimulation;
 #[cfg(feature = "swarm")]
 pub mod exact_run;
 #[cfg(feature = "swarm")]
-mod exact_units;
+pub mod exact_units;
 #[cfg(feature = "swarm")]
 mod faults;
 #[cfg(feature = "package")]

@@ -7,11 +7,11 @@ use cordon_spec::theorems::Form;
 
 use super::super::select::FormArg;
 
-use cordon_core::{Error, Outcome, Result, exact, files};
+use cordon_core::{Error, Outcome, Result, files, range};
 use cordon_proof::export::claim::Claim;
 use cordon_proof::export::smt_model::{Answer, Model, Replay, read_answer, replay};
 use cordon_proof::export::smt2::{
-    Interval, MAX_DRONES, MIN_DRONES, Obligation, Query, Weights, has_beyond, obligations,
+    MAX_DRONES, MIN_DRONES, Obligation, Query, Weights, has_beyond, obligations,
 };
 
 /// Arguments of `cordon export smt2`.
@@ -31,8 +31,8 @@ pub struct Args {
     /// Which reading of the theorems
     #[arg(long, value_enum, default_value_t = FormArg::Sharp)]
     pub form: FormArg,
-    /// Weights instead of the theorem's: an interval like `(1/2,1]`
-    #[arg(long, value_name = "INTERVAL", allow_hyphen_values = true)]
+    /// Weights instead of the theorem's: a range like `0..1/2` or `(1/2,1]`
+    #[arg(long, value_name = "LO..HI", allow_hyphen_values = true)]
     pub eps_range: Option<String>,
     /// Ask for a counterexample to the theorem: beyond its weights (within 0 <= eps <= 1), or in --eps-range
     #[arg(long)]
@@ -76,12 +76,13 @@ fn script(queries: &[Query]) -> String {
 
 fn queries(args: &Args) -> Result<Vec<Query>> {
     let claims = Claim::named(args.claims.as_deref().unwrap_or("all"))?;
-    let (first, last) = drones(&args.drones)?;
-    let interval = args.eps_range.as_deref().map(interval).transpose()?;
+    let drones = range::whole("drones", &args.drones, MIN_DRONES..=MAX_DRONES)?;
+    let interval =
+        args.eps_range.as_deref().map(|t| range::interval("eps-range", t)).transpose()?;
     let form = Form::from(args.form);
     let mut queries = Vec::new();
     for claim in claims {
-        for n in first..=last {
+        for n in drones.clone() {
             if !args.negate {
                 let weights = interval.clone().map_or(Weights::OfHypothesis, Weights::Interval);
                 queries.extend(obligations(claim, form, n, &weights));
@@ -103,50 +104,6 @@ fn queries(args: &Args) -> Result<Vec<Query>> {
         }
     }
     Ok(queries)
-}
-
-fn drones(text: &str) -> Result<(usize, usize)> {
-    let bad = || {
-        Error::input(format!(
-            "--drones: `{text}`: expected a number or a range like 3..6, within {MIN_DRONES}..{MAX_DRONES}"
-        ))
-    };
-    let number = |t: &str| t.trim().parse::<usize>().map_err(|_| bad());
-    let (first, last) = match text.split_once("..") {
-        Some((a, b)) => (number(a)?, number(b)?),
-        None => (number(text)?, number(text)?),
-    };
-    if MIN_DRONES <= first && first <= last && last <= MAX_DRONES {
-        Ok((first, last))
-    } else {
-        Err(bad())
-    }
-}
-
-fn interval(text: &str) -> Result<Interval> {
-    let bad = || {
-        Error::input(format!(
-            "--eps-range: `{text}`: expected an interval like `[0,1/2]` or `(1/2,1]`"
-        ))
-    };
-    let t = text.trim();
-    let (low_closed, t) = match (t.strip_prefix('['), t.strip_prefix('(')) {
-        (Some(rest), _) => (true, rest),
-        (_, Some(rest)) => (false, rest),
-        _ => return Err(bad()),
-    };
-    let (high_closed, t) = match (t.strip_suffix(']'), t.strip_suffix(')')) {
-        (Some(rest), _) => (true, rest),
-        (_, Some(rest)) => (false, rest),
-        _ => return Err(bad()),
-    };
-    let (low, high) = t.split_once(',').ok_or_else(bad)?;
-    let (low, high) = (exact::parse("--eps-range", low)?, exact::parse("--eps-range", high)?);
-    if low < high || (low == high && low_closed && high_closed) {
-        Ok(Interval { low, low_closed, high, high_closed })
-    } else {
-        Err(Error::input(format!("--eps-range: `{text}` is empty: expected its lower end first")))
-    }
 }
 
 fn answer(queries: &[Query], path: &std::path::Path, out: &mut dyn Write) -> Result<Outcome> {

@@ -8,8 +8,9 @@ use cordon_spec::theorems::Form;
 
 use crate::cli::select::OutputFormat;
 use cordon_core::theorems;
-use cordon_core::{Error, Result};
+use cordon_core::{Error, Result, range};
 use cordon_proof::counterexample::list as comma_list;
+use cordon_proof::sweep::config::DRONES;
 use cordon_proof::sweep::store::Shard;
 use cordon_proof::sweep::{Config, StartSpace, WeightSet};
 
@@ -87,7 +88,7 @@ impl Options {
             Forms::Sharp => &[Form::Sharp],
             Forms::Both => &Form::ALL,
         };
-        let drones = drones(&self.drones)?;
+        let drones = range::whole("drones", &self.drones, DRONES)?.into_inner();
         let starts = match (self.complete, self.sample) {
             (true, _) => StartSpace::Complete,
             (false, None) => StartSpace::Grid { resolution: self.grid },
@@ -101,24 +102,17 @@ impl Options {
                 }
             }
         };
-        let config = Config::new(&theorems, forms, drones, self.weights()?, self.steps, starts);
+        let config =
+            Config::new(&theorems, forms, drones.into(), self.weights()?, self.steps, starts);
         Ok(Config { only_weights_of_the_theorem: !self.any_weight, ..config })
     }
 
     fn weights(&self) -> Result<WeightSet> {
         if let Some(list) = &self.eps {
-            let exact = |text: &str| cordon_core::exact::parse("eps", text);
-            return Ok(WeightSet::List(list.split(',').map(exact).collect::<Result<_>>()?));
+            return Ok(WeightSet::List(range::list(|_| "eps".into(), list)?));
         }
-        let (from, to) = self.eps_range.split_once("..").ok_or_else(|| {
-            Error::input(format!("eps-range: `{}`: expected LO..HI, like 0..1/2", self.eps_range))
-        })?;
-        let exact = |text: &str| cordon_core::exact::parse("eps-range", text);
-        Ok(WeightSet::Range {
-            from: exact(from)?,
-            to: exact(to)?,
-            max_denominator: self.max_denominator,
-        })
+        let (from, to) = range::closed("eps-range", &self.eps_range)?;
+        Ok(WeightSet::Range { from, to, max_denominator: self.max_denominator })
     }
 
     pub(super) fn shard(&self) -> Result<Shard> {
@@ -157,17 +151,5 @@ impl Options {
             theorems::numbers(&config.theorems, ","),
             config.steps,
         );
-    }
-}
-
-/// Reads `LO..HI` or one number.
-fn drones(text: &str) -> Result<[usize; 2]> {
-    let bad = || {
-        Error::input(format!("drones: `{text}`: expected LO..HI or a number, like 3..5, from 3 on"))
-    };
-    let number = |t: &str| t.trim().parse::<usize>().map_err(|_| bad());
-    match text.split_once("..") {
-        Some((from, to)) => Ok([number(from)?, number(to)?]),
-        None => number(text).map(|n| [n, n]),
     }
 }

@@ -12,8 +12,9 @@
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
-use super::errors;
+use super::rows::applied;
 use crate::Rational;
+use crate::stencil::Stencil;
 
 /// A positive integer vector on the internal drones 1 .. N-2 and its exact ratios.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -80,8 +81,8 @@ impl Perron {
         factor(eps, &self.least)
     }
 
-    /// The least and the largest ratio of |A| w to w at this weight, computed by running the
-    /// spec once on w with signs such that A acts on it like |A| (alternating signs beyond
+    /// The least and the largest ratio of |A| w to w at this weight, computed with the spec's
+    /// step on w with signs such that A acts on it like |A| (alternating signs beyond
     /// eps = 1/2). What the factors above say, established a second time from the code.
     pub fn ratios_by_spec(&self, eps: &Rational) -> Option<(Rational, Rational)> {
         let alternate = eps * Rational::from_integer(2.into()) > Rational::one();
@@ -92,7 +93,7 @@ impl Perron {
             e.push(if sign(i) { -w } else { w });
         }
         e.push(Rational::zero());
-        let next = errors::step(eps, &e);
+        let next = applied(&Stencil::executed(eps).error_rows(e.len())?, &e);
         let ratios = next.iter().zip(&e).skip(1).take(self.weights.len()).map(|(after, before)| {
             let r = after / before;
             if alternate { -r } else { r }

@@ -1,7 +1,6 @@
 //! Slips in the hypotheses and statements of section 7.
 
 use cordon_spec::coverage::exec_coverage;
-use cordon_spec::placement::gap;
 use cordon_spec::theorems::{Form, Setting, StartSet, Theorem, Verdict, WeightRange};
 use cordon_spec::{Params, Scalar, State};
 use num_traits::{One, Signed, Zero};
@@ -9,6 +8,8 @@ use num_traits::{One, Signed, Zero};
 use super::runs::paper_start;
 use super::{Erratum, Finding, finding};
 use cordon_core::exact::{Rational, decimal_string};
+use cordon_core::linear::rows::Row;
+use cordon_core::stencil::Stencil;
 
 pub(super) const ERRATA: &[Erratum] = &[
     Erratum {
@@ -85,25 +86,13 @@ fn simulated_start() -> Finding {
     )
 }
 
-/// The coefficients of the gaps after a step in the gaps before it, for N drones: the step is
-/// linear, so its value on unit gaps is the matrix. Nonnegative with no zero row means that
-/// every ordered start stays ordered.
-fn gap_matrix(count: usize, eps: &Rational) -> Vec<Vec<Rational>> {
-    let column = |j: usize| -> Vec<Rational> {
-        let place = |i| if i > j { Rational::one() } else { Rational::zero() };
-        let start: Vec<_> = (0..count).map(place).collect();
-        let after = placements(&params(eps.clone(), &start), start, 1).pop().unwrap_or_default();
-        (0..count - 1).map(|i| gap(&after, i)).collect()
-    };
-    (0..count - 1).map(column).collect()
-}
-
+/// Whether one step keeps every ordered start of N drones ordered: what the gaps after it take of
+/// those before is nowhere negative, and in no row nothing.
 fn ordering_kept(count: usize, eps: &Rational) -> bool {
-    let columns = gap_matrix(count, eps);
-    let nonnegative = columns.iter().flatten().all(|m| !m.is_negative());
-    let rows = 0..count - 1;
-    let no_zero_row = |i: usize| columns.iter().any(|c| c.get(i).is_some_and(|m| !m.is_zero()));
-    nonnegative && rows.into_iter().all(no_zero_row)
+    let rows = Stencil::executed(eps).gap_rows(count).unwrap_or_default();
+    let positive =
+        |row: &Row<Rational>| !row.is_empty() && row.iter().all(|(_, m)| m.is_positive());
+    rows.len() + 1 == count && rows.iter().all(positive)
 }
 
 fn one_third() -> Finding {

@@ -24,6 +24,7 @@ use super::claim::Claim;
 use super::decision::{Diagram, Oracle};
 use super::term::{Symbolic, Term};
 use cordon_core::Rational;
+use cordon_core::range::Interval;
 
 /// Which weights a query is about.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,28 +35,6 @@ pub enum Weights {
     Beyond,
     /// An interval.
     Interval(Interval),
-}
-
-/// An interval of weights, such as (1/2, 1].
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Interval {
-    /// Lower end.
-    pub low: Rational,
-    /// Whether the lower end belongs to it.
-    pub low_closed: bool,
-    /// Upper end.
-    pub high: Rational,
-    /// Whether the upper end belongs to it.
-    pub high_closed: bool,
-}
-
-impl Interval {
-    /// Whether `x` lies in it.
-    pub fn contains(&self, x: &Rational) -> bool {
-        let above = if self.low_closed { self.low <= *x } else { self.low < *x };
-        let below = if self.high_closed { *x <= self.high } else { *x < self.high };
-        above && below
-    }
 }
 
 /// What a query asks.

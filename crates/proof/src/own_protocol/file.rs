@@ -9,7 +9,7 @@ use toml::{Spanned, Value};
 
 use super::expression::{Expression, Fault, parse_claim};
 use super::{Claim, OwnProtocol, Update};
-use cordon_core::{Error, Rational, Result, exact, files};
+use cordon_core::{Error, Rational, Result, files, range};
 use cordon_run::scenario::Topology;
 use cordon_run::scenario::file::Source;
 
@@ -88,14 +88,7 @@ impl Reader<'_> {
             return Ok((number.clone(), number));
         };
         let fail = |e: Error| self.source.error(&value.span(), &e.to_string());
-        let (lo, hi) = text.split_once("..").unwrap_or((text, text));
-        let (lo, hi) =
-            (exact::parse("eps", lo).map_err(fail)?, exact::parse("eps", hi).map_err(fail)?);
-        if lo > hi {
-            let message = format!("eps: `{text}`: expected a range that is not empty");
-            return Err(self.source.error(&value.span(), &message));
-        }
-        Ok((lo, hi))
+        range::closed("eps", text).map_err(fail)
     }
 
     fn graph(&self, value: &Spanned<Value>) -> Result<Topology> {

@@ -8,8 +8,9 @@ use num_traits::{One, Signed};
 use super::starts::Region;
 use crate::counterexample::Counterexample;
 use cordon_core::Rational;
-use cordon_core::linear::errors;
 use cordon_core::linear::perron::Perron;
+use cordon_core::linear::rows::applied;
+use cordon_core::stencil::Stencil;
 
 /// Whether the sum of the squared errors falls in every step from every start off the targets:
 /// I - A^2 is positive definite, which the spec decides by leading minors. For the sharp form
@@ -27,7 +28,8 @@ pub fn always_falls(form: Form, count: usize, eps: &Rational) -> bool {
     let w: Vec<Rational> = (0..count).map(|i| integer(contraction_weight(count, i))).collect();
     let last = BigInt::from(count.saturating_sub(1));
     let rate = Rational::one() - eps * Rational::new(8.into(), &last * &last);
-    let next = errors::step(eps, &w);
+    let Some(rows) = Stencil::executed(eps).error_rows(count) else { return false };
+    let next = applied(&rows, &w);
     let contracts = next.iter().zip(&w).all(|(after, before)| after <= &(before * &rate));
     // A >= 0 for these weights: eps and 1 - 2eps are nonnegative.
     contracts && !eps.is_negative()

@@ -5,17 +5,17 @@
 //! from a norm that no step increases, which is what makes "from then on" final.
 
 mod execute;
-mod jump;
 mod power;
 
-use cordon_spec::Scalar;
 use cordon_spec::placement::{contraction_weight, scaled_error};
+use cordon_spec::{Params, Scalar};
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
 use cordon_core::linear::enclosure::Enclosure;
 use cordon_core::linear::perron::Perron;
 use cordon_core::{Error, Rational, Result};
+use cordon_run::fast::{Line, engine, within};
 use execute::settling_step;
 use power::{Rounding, least_power_at_most};
 
@@ -252,6 +252,12 @@ impl Runs {
         }
     }
 
+    /// The run in integers over a common denominator.
+    fn line(&self, start: &[Rational]) -> Option<Line> {
+        let (min, max) = ends(start);
+        Line::coverage(&Params { min, max, eps: self.eps.clone(), n: 0 }, start).ok()
+    }
+
     fn observe_one(
         &self,
         start: &[Rational],
@@ -262,7 +268,7 @@ impl Runs {
         let budget = MOST_DRONE_STEPS / self.count as u64;
         // Jumps are cheaper than that many steps.
         if not_before > budget / 50
-            && let Some(step) = jump::settling_step(start, &self.eps, within)
+            && let Some(step) = within::first_step(&self.line(start)?, within, engine::multiplier())
         {
             return Some(step);
         }

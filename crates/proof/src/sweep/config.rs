@@ -1,5 +1,7 @@
 //! What a sweep is asked to cover, and the work items it comes to.
 
+use std::ops::RangeInclusive;
+
 use cordon_spec::theorems::{Form, Theorem, Truth};
 use serde::{Deserialize, Serialize};
 
@@ -76,8 +78,8 @@ impl Item {
     }
 }
 
-/// Most drones and steps: beyond, a sweep would not end in anybody's lifetime.
-const MAX_DRONES: usize = 64;
+/// Numbers of drones, and most steps: beyond, a sweep would not end in anybody's lifetime.
+pub const DRONES: RangeInclusive<usize> = 3..=64;
 const MAX_STEPS: usize = 100_000;
 
 /// Most work items in one sweep.
@@ -144,9 +146,10 @@ impl Config {
 
     fn validate(&self) -> Result<()> {
         let [fewest, most] = self.drones;
-        if fewest < 3 || most < fewest || most > MAX_DRONES {
+        if most < fewest || !DRONES.contains(&fewest) || !DRONES.contains(&most) {
+            let (least, last) = DRONES.into_inner();
             return Err(Error::input(format!(
-                "drones: `{fewest}..{most}`: expected LO..HI with 3 <= LO <= HI <= {MAX_DRONES}"
+                "drones: `{fewest}..{most}`: expected LO..HI with {least} <= LO <= HI <= {last}"
             )));
         }
         if self.steps > MAX_STEPS {

@@ -1,15 +1,13 @@
 //! The safe side of ordering and bound as invariance certificates in positions.
 
-use cordon_spec::coverage::exec_coverage;
-use cordon_spec::{Params, State};
 use num_traits::{One, Signed, Zero};
 use serde_json::Value;
 
 use super::safety::Cone;
 use crate::certificate::{self, HalfSpace};
 use cordon_core::Rational;
-use cordon_core::linear::affine::Affine;
-use cordon_core::linear::errors;
+use cordon_core::linear::rows::Row;
+use cordon_core::stencil::{Role, Stencil};
 
 /// Most drones for which the format takes an invariance certificate (200 variables).
 pub const MOST: usize = 198;
@@ -21,12 +19,13 @@ pub fn certificate(cone: Cone, count: usize, eps: &Rational) -> Option<Value> {
     if count > MOST {
         return None;
     }
-    let (matrix, offset) = transition(count, eps)?;
+    let stencil = Stencil::executed(eps);
+    let (matrix, offset) = transition(&stencil, count);
     let mut rows = pinned(count, 0, &Rational::zero());
     rows.extend(pinned(count, count - 1, &Rational::one()));
     let own = rows.len();
     rows.extend(facets(cone, count));
-    let coefficients = cone_matrix(cone, count, eps);
+    let coefficients = cone_matrix(cone, &stencil, count)?;
     let mut multipliers = Vec::new();
     for (j, row) in rows.iter().enumerate() {
         let target = times(&row.normal, &matrix);
@@ -51,26 +50,24 @@ pub fn certificate(cone: Cone, count: usize, eps: &Rational) -> Option<Value> {
     Some(certificate::invariance(&matrix, &offset, &rows, &multipliers))
 }
 
-/// Matrix and offset of one step in positions, from the spec run on indeterminates.
-fn transition(count: usize, eps: &Rational) -> Option<(Vec<Vec<Rational>>, Vec<Rational>)> {
-    let p = Params {
-        min: Affine::constant(Rational::zero()),
-        max: Affine::constant(Rational::one()),
-        eps: Affine::constant(eps.clone()),
-        n: 0,
+/// Matrix and offset of one step in positions on \[0, 1\].
+fn transition(stencil: &Stencil<Rational>, count: usize) -> (Vec<Vec<Rational>>, Vec<Rational>) {
+    let row = |i: usize| {
+        let w = stencil.weights(Role::of(i, count));
+        let mut row = vec![Rational::zero(); count];
+        row[i].clone_from(&w.own);
+        // Of what lies beyond the line, the lower end counts 0 and the upper end 1.
+        let mut offset = w.max.clone();
+        if i > 0 {
+            row[i - 1].clone_from(&w.prec);
+        }
+        match row.get_mut(i + 1) {
+            Some(entry) => entry.clone_from(&w.foll),
+            None => offset += &w.foll,
+        }
+        (row, offset)
     };
-    let drones: Vec<Affine> = (0..count).map(Affine::variable).collect();
-    let next = exec_coverage(&p, &State { drones, timesteps: 0 }).drones;
-    let mut matrix = Vec::new();
-    let mut offset = Vec::new();
-    for form in &next {
-        let (constant, coefficients) = form.parts()?;
-        let mut row = coefficients.to_vec();
-        row.resize(count, Rational::zero());
-        matrix.push(row);
-        offset.push(constant.clone());
-    }
-    Some((matrix, offset))
+    (0..count).map(row).unzip()
 }
 
 fn unit(count: usize, i: usize, value: i32) -> Vec<Rational> {
@@ -112,20 +109,18 @@ fn facets(cone: Cone, count: usize) -> Vec<HalfSpace> {
 }
 
 /// Row i: of what multiples of the old coordinates the new coordinate i is the sum.
-fn cone_matrix(cone: Cone, count: usize, eps: &Rational) -> Vec<Vec<Rational>> {
-    let columns: Vec<Vec<Rational>> = match cone {
-        Cone::PositiveGaps => {
-            (0..count - 1).map(|j| errors::step_gaps(eps, &unit(count - 1, j, 1))).collect()
-        }
-        Cone::NonnegativeErrors => (1..count - 1)
-            .map(|j| {
-                let mut column = errors::step(eps, &unit(count, j, 1));
-                column.pop();
-                column.drain(1..).collect()
-            })
-            .collect(),
+fn cone_matrix(
+    cone: Cone,
+    stencil: &Stencil<Rational>,
+    count: usize,
+) -> Option<Vec<Vec<Rational>>> {
+    let (rows, coordinates) = cone.rows(stencil, count)?;
+    let dense = |row: &Row<Rational>| {
+        let mut entries = vec![Rational::zero(); count];
+        row.iter().for_each(|(j, a)| entries[*j].clone_from(a));
+        entries[coordinates.clone()].to_vec()
     };
-    (0..columns.len()).map(|i| columns.iter().map(|c| c[i].clone()).collect()).collect()
+    Some(rows[coordinates.clone()].iter().map(dense).collect())
 }
 
 fn times(row: &[Rational], matrix: &[Vec<Rational>]) -> Vec<Rational> {

@@ -1,21 +1,25 @@
 //! The critical weight of ordering (theorem 7.2) and of the upper bound (theorem 7.3).
 //!
 //! Both say that a cone is kept: positive gaps, nonnegative errors. One step of the spec, run
-//! with the weight as an indeterminate from every extreme ray of the cone, gives the matrix of
+//! with the weight as an indeterminate in the cone's coordinates, gives the matrix of
 //! the step with entries that are polynomials in eps. Where all entries are nonnegative the
 //! cone is kept by one step, hence by any number of steps; where one is negative, a start
 //! close to its ray leaves the cone at step 1. The entries are affine in eps, so the weights
 //! of the first kind are an interval whose end is read off exactly.
 
+use std::ops::Range;
+
+use cordon_spec::Scalar;
 use cordon_spec::theorems::{Form, Theorem};
 use num_bigint::BigInt;
 use num_traits::{One, Pow, Signed, Zero};
 
 use crate::counterexample::Counterexample;
 use cordon_core::Rational;
-use cordon_core::linear::errors::{step, step_gaps};
+use cordon_core::linear::rows::{Row, applied};
 use cordon_core::linear::simplest::strictly_between;
 use cordon_core::scalar::{Monomial, Polynomial};
+use cordon_core::stencil::Stencil;
 
 /// Which cone is to be kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +36,18 @@ impl Cone {
         match self {
             Self::PositiveGaps => Theorem::Ordering,
             Self::NonnegativeErrors => Theorem::UpperBound,
+        }
+    }
+
+    /// The step in the cone's coordinates, and which of these are along its rays.
+    pub(super) fn rows<T: Scalar + PartialEq>(
+        self,
+        stencil: &Stencil<T>,
+        count: usize,
+    ) -> Option<(Vec<Row<T>>, Range<usize>)> {
+        match self {
+            Self::PositiveGaps => Some((stencil.gap_rows(count)?, 0..count - 1)),
+            Self::NonnegativeErrors => Some((stencil.error_rows(count)?, 1..count - 1)),
         }
     }
 }
@@ -109,27 +125,16 @@ fn keeps(cone: Cone, count: usize, entries: &[Entry], eps: &Rational) -> bool {
     nonnegative && (cone == Cone::NonnegativeErrors || (0..count - 1).all(row_lives))
 }
 
-/// The entries that are not identically zero, from one step of the spec on every ray.
+/// The entries that are not identically zero, of the step with the weight as an indeterminate.
 fn entries(cone: Cone, count: usize) -> Option<Vec<Entry>> {
-    let eps = Polynomial::variable(0);
-    let unit = |length: usize, j: usize| -> Vec<Polynomial> {
-        let entry = |i| if i == j { Rational::one() } else { Rational::zero() };
-        (0..length).map(|i| Polynomial::constant(entry(i))).collect()
-    };
+    let (rows, rays) = cone.rows(&Stencil::executed(&Polynomial::variable(0)), count)?;
     let mut found = Vec::new();
-    let rays = match cone {
-        Cone::PositiveGaps => 0..count - 1,
-        Cone::NonnegativeErrors => 1..count - 1,
-    };
-    for ray in rays {
-        let column = match cone {
-            Cone::PositiveGaps => step_gaps(&eps, &unit(count - 1, ray)),
-            Cone::NonnegativeErrors => step(&eps, &unit(count, ray)),
-        };
-        for (row, entry) in column.iter().enumerate().filter(|(_, p)| !p.is_zero()) {
-            found.push(Entry { row, ray, coefficients: affine(entry)? });
+    for (row, entries) in rows.iter().enumerate() {
+        for (ray, entry) in entries.iter().filter(|(ray, _)| rays.contains(ray)) {
+            found.push(Entry { row, ray: *ray, coefficients: affine(entry)? });
         }
     }
+    found.sort_by_key(|e| (e.ray, e.row));
     Some(found)
 }
 
@@ -161,7 +166,8 @@ fn leaving_start(
         Cone::PositiveGaps => {
             let on_ray = witness.at(eps);
             let equal = vec![Rational::one() / &last; count - 1];
-            let in_middle = step_gaps(eps, &equal).get(witness.row)?.clone();
+            let rows = Stencil::executed(eps).gap_rows(count)?;
+            let in_middle = applied(&rows, &equal).get(witness.row)?.clone();
             // (1-t) * in_middle + t * on_ray < 0.
             let from = &in_middle / (&in_middle - &on_ray);
             let t = strictly_between(&from, &Rational::one())?;

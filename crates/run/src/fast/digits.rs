@@ -8,11 +8,11 @@ use num_bigint::{BigInt, BigUint};
 use num_traits::Signed;
 
 use super::growth::{MAX_ANSWER_BYTES, limbs_for, log2_above, longest, readable};
-use super::jump::{convolve, half_ring};
 use super::kernel::Kernel;
 use super::line::Line;
 use super::multiply::Multiply;
 use super::power;
+use super::ring::{convolve, half_ring};
 use cordon_core::{Error, Rational, Result, exact};
 
 /// A position between two rationals.
@@ -154,7 +154,7 @@ pub fn enclose(line: &Line, k: u64, bits: u64, by: &dyn Multiply) -> Result<Vec<
     let scale = &unit * &down;
     let den = &scale * &line.base;
     let end = |rest: &BigInt, s: BigInt| Rational::new_raw(rest * &scale + s * &up, den.clone());
-    let convolved = convolve(line, &kernel);
+    let convolved = convolve(line, &kernel, by);
     let enclosures = line
         .rest
         .iter()

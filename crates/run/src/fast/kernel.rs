@@ -61,6 +61,7 @@ impl Length {
 }
 
 /// The k-th power: the magnitudes of its coefficients at 0 ..= m; the others mirror them.
+#[derive(Clone)]
 pub struct Kernel {
     coefficients: Vec<u64>,
     stride: usize,
@@ -74,6 +75,7 @@ pub struct Kernel {
 }
 
 /// The magnitudes of the weights, and what they imply.
+#[derive(Clone)]
 struct Rule {
     side: Vec<u64>,
     centre: Vec<u64>,
@@ -116,7 +118,7 @@ impl Kernel {
         let mut power = Self { coefficients, stride, half, k: 0, rule, error: 0 };
         for bit in (0..u64::BITS - k.leading_zeros()).rev() {
             if power.k > 0 {
-                power.square(by);
+                power.multiply(None, by);
             }
             if k >> bit & 1 == 1 {
                 power.step();
@@ -129,6 +131,16 @@ impl Kernel {
     /// units of the last place. 0 for exact powers.
     pub fn error(&self) -> u128 {
         self.error
+    }
+
+    /// How many places of the ring may have coefficients other than 0.
+    pub fn support(&self) -> usize {
+        if self.is_full() { 2 * self.half } else { 2 * self.degree() + 1 }
+    }
+
+    /// Whether the coefficient at place `j` of the ring, `0 <= j <= 2*half`, may be other than 0.
+    pub fn reaches(&self, j: usize) -> bool {
+        j.min(2 * self.half - j) <= self.degree()
     }
 
     /// Limbs of a coefficient.
@@ -189,23 +201,33 @@ impl Kernel {
         (self.coefficients, self.stride, self.k) = (next, stride, k);
     }
 
-    /// Squares the power.
-    fn square(&mut self, by: &dyn Multiply) {
-        let (degree, k) = (self.degree(), self.k * 2);
-        // On the full ring the place `half` is its own mirror image: a palindrome of twice the
-        // coefficients counts it half at either end.
-        let doubled = degree == self.half;
-        let bits = self.rule.length.product_bits(k) + if doubled { 2 } else { 0 };
+    /// The steps of this power and those of another, of the same line and ring.
+    pub fn then(&self, other: &Self, by: &dyn Multiply) -> Self {
+        let mut both = self.clone();
+        both.multiply(Some(other), by);
+        both
+    }
+
+    /// Multiplies by another power, or by itself.
+    fn multiply(&mut self, other: Option<&Self>, by: &dyn Multiply) {
+        let k = self.k + other.map_or(self.k, |o| o.k);
+        let degree = self.degree() + other.map_or(self.degree(), Self::degree);
+        let doublings =
+            u32::from(self.is_full()) + u32::from(other.map_or(self.is_full(), Self::is_full));
+        let bits = self.rule.length.product_bits(k) + u64::from(doublings);
         let slot = limbs_for((bits + 1).div_ceil(2));
-        let packed = self.pack(degree, slot, doubled);
+        let packed = self.pack(slot);
         let stride = limbs_for(bits);
         let half_length = stride * (self.half + 1);
         // Free the old coefficients before the product needs memory.
         self.coefficients = Vec::new();
-        let product = by.square(packed);
+        let product = match other {
+            None => by.square(packed),
+            Some(other) => by.product(&packed, &other.pack(slot)),
+        };
         let mut next = vec![0; half_length];
-        let mut palindrome = Palindrome::new(&product, slot, 4 * degree);
-        for below in (0..=2 * degree).rev() {
+        let mut palindrome = Palindrome::new(&product, slot, 2 * degree);
+        for below in (0..=degree).rev() {
             // The coefficient of z^-below, and of z^below.
             let place = if below > self.half { 2 * self.half - below } else { below };
             let into = &mut next[place * stride..(place + 1) * stride];
@@ -216,33 +238,39 @@ impl Kernel {
                 limbs::add(into, coefficient, false);
             }
         }
-        if doubled {
-            for row in next.chunks_exact_mut(stride) {
-                limbs::shift_right(row, 2);
-            }
+        for row in next.chunks_exact_mut(stride) {
+            limbs::shift_right(row, doublings);
         }
         (self.coefficients, self.stride, self.k) = (next, stride, k);
         if let Length::Fixed(limbs) = self.rule.length {
-            self.round_down(limbs);
+            self.round_down(limbs, other.map_or(self.error, |o| o.error));
         }
     }
 
-    /// After a squaring in fixed point: drops the limbs that the product has too many.
-    fn round_down(&mut self, limbs: usize) {
+    /// After a product in fixed point: drops the limbs that it has too many. `other_error` is
+    /// the error of the other factor.
+    fn round_down(&mut self, limbs: usize, other_error: u128) {
         let kept = limbs + 1;
         let rows = self.coefficients.chunks_exact(self.stride);
         let cut =
             |row: &[u64]| (0..kept).map(|i| row.get(limbs + i).copied().unwrap_or(0)).collect();
         self.coefficients = rows.flat_map::<Vec<u64>, _>(cut).collect();
         self.stride = kept;
-        // With c <= true < c + e, sums of c at most 1 and 2m places, the square is too small
-        // by less than 2e + 2m e^2 (in units of the last place; the caller has chosen that
-        // unit so small that the second term is below 1), and by less than 1 for rounding.
-        self.error = 2 * self.error + 2;
+        // With c <= true < c + e, sums of c at most 1 and 2m places, a product is too small by
+        // less than e + e' + 2m e e' (in units of the last place; the caller has chosen that
+        // unit so small that the third term is below 1), and by less than 1 for rounding.
+        self.error += other_error + 2;
     }
 
-    /// The palindrome `z^-degree ..= z^degree` at `z = 2^(64 slot)`, times 2 if `doubled`.
-    fn pack(&self, degree: usize, slot: usize, doubled: bool) -> Vec<u64> {
+    /// Whether the place `half`, its own mirror image, is reached: a palindrome of twice the
+    /// coefficients then counts it half at either end.
+    fn is_full(&self) -> bool {
+        self.degree() == self.half
+    }
+
+    /// The palindrome `z^-degree ..= z^degree` at `z = 2^(64 slot)`, twice if [`Self::is_full`].
+    fn pack(&self, slot: usize) -> Vec<u64> {
+        let (degree, doubled) = (self.degree(), self.is_full());
         let mut packed = vec![0; slot * 2 * degree + self.stride + 2];
         for place in 0..=2 * degree {
             let j = place.abs_diff(degree);

@@ -9,9 +9,11 @@
 //!   as the answer.
 //!
 //! [`verify`] checks an answer against the plain spec over random prime fields. Where fractions
-//! are too long, [`digits`] encloses the positions tightly enough for certain decimal digits.
+//! are too long, [`digits`] encloses the positions tightly enough for certain decimal digits, and
+//! [`within`] finds the step from which on they are close to their resting places.
 
 pub mod answer;
+mod cost;
 pub mod digits;
 pub mod engine;
 pub mod growth;
@@ -22,9 +24,11 @@ pub mod line;
 pub mod multiply;
 pub mod ntt;
 mod power;
+mod ring;
 pub mod rule;
 pub mod step;
 pub mod verify;
+pub mod within;
 
 pub use answer::Answer;
 pub use engine::Engine;

@@ -5,13 +5,11 @@ use cordon_spec::theorems::{Form, WeightRange};
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
-use super::cone::unit_error;
-use crate::sweep::kernel::step;
 use cordon_core::Rational;
+use cordon_core::linear::rows::Row;
 use cordon_core::stencil::Stencil;
 
-/// The matrix A of `e' = A e` on the internal drones, times the weight's denominator: column j
-/// is what one step of the stencil makes of a unit error of drone j.
+/// The matrix A of `e' = A e` on the internal drones, times the weight's denominator.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ErrorMatrix {
     /// Entries, by rows.
@@ -26,16 +24,14 @@ impl ErrorMatrix {
     /// Of `count >= 3` drones and the weight `eps`.
     pub fn of(eps: &Rational, count: usize) -> Self {
         let stencil = Stencil::of(eps);
-        let zero = BigInt::zero();
-        let columns: Vec<Vec<BigInt>> = (1..count - 1)
-            .map(|j| {
-                let mut x = unit_error(count, j);
-                step(&stencil, &zero, &zero, &mut x);
-                x.iter().skip(1).take(count - 2).map(|x| -x).collect()
-            })
-            .collect();
-        let size = columns.len();
-        let rows = (0..size).map(|i| columns.iter().map(|c| c[i].clone()).collect()).collect();
+        let dense = |row: &Row<BigInt>| {
+            let mut entries = vec![BigInt::zero(); count];
+            row.iter().for_each(|(j, a)| entries[*j].clone_from(a));
+            entries[1..count - 1].to_vec()
+        };
+        // A step that moves the targets has no such matrix; nothing is concluded about it.
+        let all = stencil.error_rows(count).unwrap_or_else(|| vec![Row::new(); count]);
+        let rows = all[1..count - 1].iter().map(dense).collect();
         Self { rows, den: stencil.den, eps: eps.clone() }
     }
 

@@ -15,7 +15,7 @@ pub enum Start {
     SpreadTo(Rational),
 }
 
-/// The fields of a scenario, each said or not. Later sources replace earlier ones
+/// The fields of a scenario; what is not given is `None`. Later sources replace earlier ones
 /// ([`Draft::replaced_by`]): flags win over the file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Draft {

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use cordon_core::exact::Rational;
 
-/// Fields of the co-simulation, each said or not.
+/// The fields of the co-simulation; what is not given is `None`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Flight {
     /// Gain lambda_P of the position, in 1/s.

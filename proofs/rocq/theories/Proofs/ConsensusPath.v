@@ -227,6 +227,26 @@ Proof.
   reflexivity.
 Qed.
 
+(* The rate of consensus_path_rate is no worse than the truth: both extreme
+   eigenvalues are met by the first gap of some start. *)
+Theorem consensus_path_rate_attained : forall N e, (2 <= N)%nat ->
+  (exists x : DroneMap R, count x = N /\ X N e x 0 1 - X N e x 0 0 <> 0 /\
+     forall k, X N e x k 1 - X N e x k 0 =
+               largest_eigenvalue N e ^ k * (X N e x 0 1 - X N e x 0 0)) /\
+  (exists x : DroneMap R, count x = N /\ X N e x 0 1 - X N e x 0 0 <> 0 /\
+     forall k, X N e x k 1 - X N e x k 0 =
+               least_eigenvalue N e ^ k * (X N e x 0 1 - X N e x 0 0)).
+Proof.
+  intros N e HN; pose proof (wave_pos N HN 1 ltac:(lia)) as Hw; split.
+  - destruct (start_with_gaps N e (wave N) (largest_eigenvalue N e) HN (wave_first N)
+                (wave_last N HN) (fun i _ => wave_eigen N e i)) as [x [Hx Hk]].
+    exists x; split; [exact Hx|]; rewrite (Hk 0%nat), pow_O, Rmult_1_l; split; [lra|exact Hk].
+  - destruct (start_with_gaps N e (zigzag N) (least_eigenvalue N e) HN (zigzag_first N)
+                (zigzag_last N HN) (fun i _ => zigzag_eigen N e i)) as [x [Hx Hk]].
+    exists x; split; [exact Hx|]; rewrite (Hk 0%nat), pow_O, Rmult_1_l; split; [|exact Hk].
+    unfold zigzag; simpl; lra.
+Qed.
+
 Theorem consensus_path_iff : forall N e, (2 <= N)%nat ->
   ((forall x : DroneMap R, count x = N -> forall i, (i < N)%nat ->
       Un_cv (fun k => get (consensus_step e (path N) x k) i) (sum x / INR N))

@@ -3,7 +3,7 @@
 From Coq Require Import Reals Qreals QArith Lia ZArith Arith List.
 From Cordon Require Import Spec.Scalar Spec.DroneMap Spec.State Spec.Coverage.
 From Cordon Require Import Spec.Graph Spec.Consensus.
-From Cordon Require Import Proofs.Real.
+From Cordon Require Import Proofs.Real Proofs.Consensus.
 
 (* Fractions are kept in lowest terms, so that their size stays linear in the
    number of steps and equal values are equal terms. *)
@@ -76,6 +76,13 @@ Proof.
   intros eps g x; unfold exec_consensus; rewrite count_map; unfold lambda; rewrite map_map.
   apply map_ext; intros i; rewrite f_add, f_mul, get_map, pull_map; reflexivity.
 Qed.
+
+Lemma consensus_step_map : forall eps g x k,
+  consensus_step (f eps) g (map f x) k = map f (consensus_step eps g x k).
+Proof.
+  intros eps g x k; induction k as [|k IH]; [reflexivity|].
+  simpl consensus_step; rewrite IH; apply exec_consensus_map.
+Qed.
 End Morphism.
 
 (* The bridge: what is executed at the rationals is what is proved at the reals. *)
@@ -108,6 +115,7 @@ Proof.
   intros p s k; rewrite (kth_step_map Q2R Q2R_int Q2R_add Q2R_sub Q2R_mul); reflexivity.
 Qed.
 
-Theorem consensus_execution_is_proved : forall (eps : Q) g (x : DroneMap Q),
-  exec_consensus (Q2R eps) g (map Q2R x) = map Q2R (exec_consensus eps g x).
-Proof. intros; apply (exec_consensus_map Q2R Q2R_int Q2R_add Q2R_sub Q2R_mul). Qed.
+(* The same for k steps of consensus. *)
+Theorem consensus_execution_is_proved : forall (eps : Q) g (x : DroneMap Q) k,
+  consensus_step (Q2R eps) g (map Q2R x) k = map Q2R (consensus_step eps g x k).
+Proof. intros; apply (consensus_step_map Q2R Q2R_int Q2R_add Q2R_sub Q2R_mul). Qed.

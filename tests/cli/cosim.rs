@@ -54,7 +54,55 @@ fn csv_and_json_say_the_same_and_read_back() {
         assert_eq!(run(&["replay", run_file, "--out", &html]).0, 0);
         assert!(fs::read_to_string(&html).unwrap().contains("</html>"));
     }
-    assert_eq!(files_in(folder.path()), 3, "nothing temporary is left");
+    // The CSV, its companion, the JSON, the page.
+    assert_eq!(files_in(folder.path()), 4, "nothing temporary is left");
+}
+
+/// Events on the exact plant's curves and between the samples: straight lines tell others.
+#[test]
+fn a_replayed_file_and_a_replayed_scenario_are_the_same_page() {
+    let (folder, csv) = in_folder("run.csv");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let flight = ["scenarios/paper-unstable.toml", "--integrator", "exact", "--duration", "15"];
+    let page = |args: &[&str]| {
+        let html = path("page.html");
+        let (code, _, err) = run(&[&["replay"], args, &["--out", &html]].concat());
+        assert_eq!(code, 0, "{err}");
+        fs::read_to_string(html).unwrap()
+    };
+    let flown = page(&flight);
+    assert!(flown.contains("\"kind\":\"collision\"") && flown.contains("exact plant"));
+    for out in [&csv, &path("run.json")] {
+        assert_eq!(run(&[&["cosim"], &flight[..], &["--out", out]].concat()).0, 0);
+        assert_eq!(page(&[out]), flown, "{out}");
+    }
+    // Without the companion there are the positions alone.
+    let companion = path("run.csv.json");
+    let kept = fs::read(&companion).unwrap();
+    fs::remove_file(&companion).unwrap();
+    assert_ne!(page(&[&csv]), flown);
+    // The companion of another run is refused.
+    let text = fs::read_to_string(&csv).unwrap();
+    fs::write(&csv, text.replacen(",10.0,", ",10.5,", 1)).unwrap();
+    fs::write(&companion, &kept).unwrap();
+    let (code, _, err) = run(&["replay", &csv, "--out", &path("page.html")]);
+    assert_eq!(code, 2);
+    assert!(err.contains("run.csv.json`: belongs to another run"), "{err}");
+    let cut = String::from_utf8(kept).unwrap();
+    fs::write(&companion, &cut[..cut.len() / 2]).unwrap();
+    let (code, _, err) = run(&["replay", &csv, "--out", &path("page.html")]);
+    assert_eq!(code, 2);
+    assert!(err.contains("expected schema cordon-cosim-companion/1"), "{err}");
+}
+
+/// The summary says what flew: nothing claims a plant or an arithmetic that was another.
+#[test]
+fn the_recorded_arithmetic_is_named() {
+    let (code, out, _) = run(&["cosim", "scenarios/paper.toml", "--compat", "recorded"]);
+    assert_eq!(code, 0);
+    assert!(out.contains("jacobi master, arithmetic of the recorded runs"), "{out}");
+    let (_, out, _) = run(&["cosim", "scenarios/paper.toml"]);
+    assert!(!out.contains("recorded runs"), "{out}");
 }
 
 #[test]

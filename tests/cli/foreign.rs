@@ -443,17 +443,22 @@ fn nothing_is_left_where_the_program_is_killed() {
         .env("CORDON_TEST_TRACE", bench.path("trace"))
         .spawn()
         .unwrap();
-    let wait = std::time::Duration::from_millis(20);
-    // Until it has begun, and then until nothing is left of it: as long as it takes.
-    while !fs::read_to_string(bench.path("trace")).is_ok_and(|t| t.contains("leave")) {
-        std::thread::sleep(wait);
-    }
+    // Long enough to be a failure; none of it passes where all is well.
+    let wait = |what: &str, done: &dyn Fn() -> bool| {
+        let came = (0..3000).any(|_| {
+            std::thread::sleep(std::time::Duration::from_millis(20));
+            done()
+        });
+        assert!(came, "{what}");
+    };
+    let begun = || fs::read_to_string(bench.path("trace")).is_ok_and(|t| t.contains("leave"));
+    wait("the plant is initialised", &begun);
     assert_eq!(fs::read_dir(bench.path("tmp")).unwrap().count(), 1);
     flying.kill().unwrap();
     flying.wait().unwrap();
-    while fs::read_dir(bench.path("tmp")).unwrap().count() > 0 {
-        std::thread::sleep(wait);
-    }
+    wait("the unpacked archive is removed", &|| {
+        fs::read_dir(bench.path("tmp")).unwrap().count() == 0
+    });
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! The child process's side: one instance, which does what it is told over a stream.
 
 use std::io::{Read, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use crate::fmu::Fmu;
 use crate::instance::Instance;
@@ -19,7 +20,7 @@ pub fn serve(stream: &mut (impl Read + Write)) -> std::io::Result<()> {
             // The parent process has died: nobody else removes the unpacked archive.
             drop(instance);
             if let Some(folder) = folder {
-                let _ = std::fs::remove_dir_all(folder);
+                remove(&folder);
             }
             return Ok(());
         };
@@ -53,6 +54,15 @@ pub fn serve(stream: &mut (impl Read + Write)) -> std::io::Result<()> {
     }
 }
 
+/// Removes an unpacked archive, of which nothing may be left. The main thread and the watching one
+/// may both come here.
+fn remove(folder: &Path) {
+    static ONE: Mutex<()> = Mutex::new(());
+    let _one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
+    // There is nobody to tell where it cannot be removed.
+    let _ = std::fs::remove_dir_all(folder);
+}
+
 /// Ends this process, and removes the unpacked archive, where the parent process is gone: it may
 /// have been killed while the FMU computes.
 #[cfg(unix)]
@@ -63,8 +73,7 @@ fn watch_over(fmu: &Fmu) {
         while std::os::unix::process::parent_id() == parent {
             std::thread::sleep(std::time::Duration::from_millis(200));
         }
-        // There is nobody to tell that it cannot be removed.
-        let _ = std::fs::remove_dir_all(folder);
+        remove(&folder);
         std::process::exit(1);
     });
 }

@@ -90,7 +90,7 @@ impl Instance {
                 let make: c::Instantiate2 = unsafe { library.function("fmi2Instantiate") }?;
                 let (name, token, resources) = (name.as_ptr(), token.as_ptr(), resources.as_ptr());
                 // SAFETY: strings and callbacks live as long as the instance.
-                unsafe { make(name, CO_SIMULATION, token, resources, callbacks, 0, 0) }
+                unsafe { make(name, CO_SIMULATION, token, resources, callbacks, 0, 1) }
             }
             Version::V3 => {
                 // SAFETY: the type is the standard's.
@@ -105,7 +105,7 @@ impl Instance {
                         token,
                         resources,
                         false,
-                        false,
+                        true,
                         false,
                         false,
                         none,

@@ -12,7 +12,8 @@ use serde::{Deserialize, Serialize};
 
 use super::config::{Config, Item};
 use super::finding::Finding;
-use cordon_core::{Error, Result, files};
+use cordon_core::files::{self, Limit};
+use cordon_core::{Error, Result};
 
 /// Name and version of the file format.
 pub const SCHEMA: &str = "cordon-sweep/1";
@@ -88,7 +89,7 @@ pub struct Read {
 /// The file cannot be read, does not begin with a whole header of this format, or has a bad
 /// line.
 pub fn read(path: &Path) -> Result<Read> {
-    let bytes = std::fs::read(path).map_err(|e| Error::file("read", path, e))?;
+    let bytes = files::read(path, Limit::SWEEP)?;
     let bad = |line: usize, why: String| {
         Error::input(format!("`{}`, line {line}: {why}", path.display()))
     };

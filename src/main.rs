@@ -13,10 +13,13 @@ use cordon_core::{Error, Outcome, Result};
 
 fn main() -> ExitCode {
     let mut command = Cli::command();
-    let matches = command.get_matches_mut();
+    let matches = match command.try_get_matches_from_mut(std::env::args_os()) {
+        Ok(matches) => matches,
+        Err(e) => return usage(&e),
+    };
     let cli = match Cli::from_arg_matches(&matches) {
         Ok(cli) => cli,
-        Err(e) => e.format(&mut command).exit(),
+        Err(e) => return usage(&e.format(&mut command)),
     };
     let call = Call::of(&command, &matches);
     match run(cli, &call) {
@@ -29,6 +32,21 @@ fn main() -> ExitCode {
             e.code().into()
         }
     }
+}
+
+/// Help, or what is wrong with the command line.
+fn usage(error: &clap::Error) -> ExitCode {
+    // Nothing is left to be done where the stream is closed.
+    let _ = error.print();
+    let numbers: Vec<String> = std::env::args().filter(|a| a.starts_with("7.")).collect();
+    if error.use_stderr() && numbers.len() > 1 {
+        let _ = writeln!(
+            io::stderr(),
+            "\ntip: numbers of theorems are separated by commas: {}",
+            numbers.join(",")
+        );
+    }
+    if error.use_stderr() { ExitCode::from(2) } else { ExitCode::SUCCESS }
 }
 
 /// Runs the command. What it says goes to stdout, or to stderr where a file goes to stdout.

@@ -8,11 +8,11 @@
 
 use std::time::Instant;
 
-use cordon::Rational;
-use cordon::fast::multiply::{Multiply, NumBigint};
-use cordon::fast::ntt::Ntt;
-use cordon::fast::{Answer, Line, jump, step};
-use cordon::scalar::Modulus;
+use cordon_core::Rational;
+use cordon_core::scalar::Modulus;
+use cordon_run::fast::multiply::{Multiply, NumBigint};
+use cordon_run::fast::ntt::Ntt;
+use cordon_run::fast::{Answer, Line, jump, step};
 use cordon_spec::Params;
 
 /// The prime of the hash: 2^61 - 1.
@@ -53,7 +53,7 @@ fn backend(engine: &str) -> Option<&'static dyn Multiply> {
         "ntt" | "jump" => Some(&Ntt),
         "num-bigint" => Some(&NumBigint),
         #[cfg(feature = "gmp")]
-        "gmp" => Some(&cordon::fast::multiply::Gmp),
+        "gmp" => Some(&cordon_run::fast::multiply::Gmp),
         other => panic!("engine `{other}` is unknown or not built"),
     }
 }

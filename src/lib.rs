@@ -1,11 +1,220 @@
-//! Cordon: a verification toolkit for a drone coverage protocol with one executable spec.
+//! A line of drones spreads evenly along a segment: the two ends stay, every other drone moves by
+//! `x_i' = eps*x_{i-1} + (1-2*eps)*x_i + eps*x_{i+1}`. Cordon runs this coverage protocol exactly,
+//! and says of its theorems (7.2 to 7.8 of the paper) whether they hold: along one run, from no
+//! start at all, or for every swarm, step and real weight.
+//!
+//! This page is the library behind the program `cordon`: a function for each question.
+//!
+//! | question | function | its evidence |
+//! |---|---|---|
+//! | Where is every drone after each step? | [`trace`] | the spec, executed on rationals |
+//! | And after step 1,000,000? | [`jump`] | the same fractions, without the steps between |
+//! | Does a theorem hold along this run? | [`check_run`] | this run only |
+//! | Is there a start from which it fails? | [`refute`] | a counterexample that replays |
+//! | Is it true for every swarm? | [`prove`], [`check_certificate`] | a certificate, and the independent checker's word on it |
+//! | How do the drones fly? | [`fly`] | one co-simulated run |
+//!
+//! # Running a scenario
+//!
+//! A [`Scenario`] is read from TOML. Numbers are read exactly: `0.2` is 1/5.
+//!
+//! ```
+//! # fn main() -> cordon::Result<()> {
+//! let scenario = cordon::scenario(
+//!     r#"
+//!     start = [0, 10, 20, 30, 100]
+//!     weight = 0.2
+//!     "#,
+//! )?;
+//! let rows = cordon::trace(&scenario, 3)?;
+//! let after_one = &rows[1].positions;
+//! assert_eq!(after_one[3].to_string(), "42");
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # What is believed
+//!
+//! The protocol is defined once, in [`spec`], and everything here executes that definition. The
+//! checker of certificates shares no code with the search. `TRUST.md` in the repository says what
+//! each kind of evidence rests on.
 
-pub use cordon_core::{Error, Outcome, Rational, Result, exact, linear, scalar, simplex, stencil};
-pub use cordon_cosim as cosim;
-pub use cordon_cosim::{fmi, interchange, replay};
-pub use cordon_paper::{errata, figures};
-pub use cordon_proof::{
-    certificate, counterexample, export, own_protocol, prove, refute, settle, sweep, threshold,
-};
-pub use cordon_run::{fast, projection, scenario, simulate, swarm, trace};
+pub use cordon_check::Verdict as CertificateVerdict;
+pub use cordon_core::{Error, Outcome, Rational, Result};
+pub use cordon_cosim::record::Record;
+pub use cordon_proof::counterexample::Counterexample;
+pub use cordon_run::scenario::{Flight, Protocol, Scenario};
+pub use cordon_run::trace::{Checked, Row};
+/// The protocol and its theorems: the only definition, generic in its numbers.
 pub use cordon_spec as spec;
+pub use cordon_spec::theorems::{Form, Theorem};
+
+use cordon_cosim::cosimulation::Cosimulation;
+use cordon_proof::prove::claims::Claim;
+use cordon_proof::prove::{Effort, Found, Scope};
+use cordon_proof::refute;
+use cordon_run::fast::{Engine, Rule, engine};
+use cordon_run::trace::{self as rows, Selection, Unit};
+
+/// The scenario that a TOML text describes.
+///
+/// # Errors
+/// The text is no TOML, or a field is unknown, missing or senseless: with line and column.
+///
+/// ```
+/// let wrong = cordon::scenario("start = [0, 10, 20]\nweight = \"one fifth\"").unwrap_err();
+/// assert!(wrong.to_string().starts_with("scenario:2:10: weight: `one fifth` is not a number"));
+/// assert_eq!(wrong.code(), 2);
+/// ```
+pub fn scenario(toml: &str) -> Result<Scenario> {
+    cordon_run::scenario::parse("scenario", toml)?.finish()
+}
+
+/// The scenario that a TOML text describes, with its tables about the drones' bodies.
+///
+/// # Errors
+/// As for [`scenario`].
+pub fn scenario_and_flight(toml: &str) -> Result<(Scenario, Flight)> {
+    let draft = cordon_run::scenario::parse("scenario", toml)?;
+    let flight = draft.flight.clone();
+    Ok((draft.finish()?, flight))
+}
+
+/// The exact positions after the protocol steps 0 to `last`.
+///
+/// # Errors
+/// The run is too long to step through.
+pub fn trace(scenario: &Scenario, last: u64) -> Result<Vec<Row>> {
+    let selection = Selection { unit: Unit::Steps, from: 0, to: last, every: 1 };
+    Ok(rows::select(scenario, selection)?.rows)
+}
+
+/// The exact positions after each of the protocol steps `steps`, without the steps between: a
+/// list for each, one position a drone.
+///
+/// # Errors
+/// The protocol is neither coverage nor consensus along the line, or the fractions would fill
+/// the memory.
+///
+/// ```
+/// # fn main() -> cordon::Result<()> {
+/// let scenario = cordon::scenario("start = [0, 10, 20, 30, 100]\nweight = 0.2")?;
+/// let after = cordon::jump(&scenario, &[3, 2000])?;
+/// assert_eq!(after[0], cordon::trace(&scenario, 3)?[3].positions);
+/// // At step 2000 the inner drones are within 1/10^100 of 25, 50 and 75, and not there.
+/// assert!(after[1][2] != cordon::Rational::from_integer(50.into()));
+/// # Ok(())
+/// # }
+/// ```
+pub fn jump(scenario: &Scenario, steps: &[u64]) -> Result<Vec<Vec<Rational>>> {
+    let line = Rule::of(scenario)?.line(&scenario.start)?;
+    let answers = engine::positions(&line, steps, Engine::Auto)?;
+    Ok(answers.iter().map(|answer| answer.positions(engine::multiplier())).collect())
+}
+
+/// Checks a theorem at every protocol step of the run from 0 to `last`.
+///
+/// # Errors
+/// The protocol is not coverage, or the start is not one that the theorem is about.
+///
+/// ```
+/// use cordon::{Form, Outcome, Theorem};
+///
+/// # fn main() -> cordon::Result<()> {
+/// // A weight beyond 1/2 lets drones cross.
+/// let scenario = cordon::scenario("start = [0, 10, 20, 30, 100]\nweight = 0.7")?;
+/// let found = cordon::check_run(&scenario, Theorem::Ordering, Form::Sharp, 10)?;
+/// assert_eq!(found.outcome(), Outcome::Refuted);
+/// assert!(!found.weight_in_range, "which contradicts no theorem");
+/// # Ok(())
+/// # }
+/// ```
+pub fn check_run(scenario: &Scenario, theorem: Theorem, form: Form, last: u64) -> Result<Checked> {
+    let checked = rows::check(scenario, &[theorem], form, last)?;
+    checked
+        .into_iter()
+        .next()
+        .ok_or_else(|| Error::internal("a theorem was checked without result"))
+}
+
+/// Searches the smallest counterexample to a theorem with one of these weights, among swarms of
+/// these numbers of drones (ascending) and protocol steps up to `steps`. `None`: none was found.
+///
+/// ```
+/// use cordon::{Form, Rational, Theorem};
+///
+/// let three_fifths = Rational::new(3.into(), 5.into());
+/// let found = cordon::refute(Theorem::Ordering, Form::Sharp, &[4], &[three_fifths], 8).unwrap();
+/// assert_eq!(found.step, 1);
+/// assert!(found.start().windows(2).all(|x| x[0] < x[1]));
+/// assert!(found.run[1][1] > found.run[1][2], "drones 1 and 2 have crossed");
+/// ```
+pub fn refute(
+    theorem: Theorem,
+    form: Form,
+    drones: &[usize],
+    weights: &[Rational],
+    steps: usize,
+) -> Option<Counterexample> {
+    let weights = refute::Weights::Given(weights.to_vec());
+    refute::search(&refute::Query { theorem, form, drones: drones.to_vec(), weights, steps }).found
+}
+
+/// Searches a proof of a theorem for every number of drones, every step and every real weight
+/// of its range. The certificate is a JSON text, for [`check_certificate`] to judge: what the
+/// search says alone counts for nothing. `None`: no proof was found.
+///
+/// ```
+/// use cordon::{CertificateVerdict, Form, Theorem};
+///
+/// let certificate = cordon::prove(Theorem::Ordering, Form::Sharp).unwrap();
+/// let verdict = cordon::check_certificate(&certificate);
+/// assert!(matches!(verdict, CertificateVerdict::Valid { .. }), "{verdict}");
+///
+/// let forged = certificate.replace("7.2", "7.3");
+/// assert!(!matches!(cordon::check_certificate(&forged), CertificateVerdict::Valid { .. }));
+/// ```
+pub fn prove(theorem: Theorem, form: Form) -> Option<String> {
+    let claim = Claim::all().into_iter().find(|c| c.has_forms() && c.theorem == Some(theorem))?;
+    match cordon_proof::prove::prove(
+        &claim,
+        &Scope { form, weights: None, drones: None },
+        Effort::default(),
+    ) {
+        Found::Certificate(certificate) => Some(certificate.to_string()),
+        Found::Nothing(_) => None,
+    }
+}
+
+/// What the independent checker says of the text of a certificate.
+pub fn check_certificate(text: &str) -> CertificateVerdict {
+    cordon_check::check(text)
+}
+
+/// Flies a scenario: plant, controller and coordination of every drone, co-simulated. The record
+/// has desired and actual positions at every communication point, and the collisions.
+///
+/// # Errors
+/// A field of the flight is senseless, a unit fails, or the record would fill the memory.
+///
+/// ```
+/// # fn main() -> cordon::Result<()> {
+/// let (scenario, flight) = cordon::scenario_and_flight(
+///     r#"
+///     start = [0, 10, 20, 30, 100]
+///     weight = 0.2
+///     period = 4
+///     tau = 0.05
+///     [flight]
+///     duration = 2
+///     "#,
+/// )?;
+/// let record = cordon::fly(scenario, flight)?;
+/// assert_eq!((record.count, record.rows()), (5, 41));
+/// assert!(record.events.is_some_and(|events| events.is_empty()), "nothing collided");
+/// # Ok(())
+/// # }
+/// ```
+pub fn fly(scenario: Scenario, flight: Flight) -> Result<Record> {
+    cordon_cosim::run::run(&Cosimulation::new(scenario, flight)?, |_| {})
+}

@@ -5,29 +5,64 @@ mod cli;
 use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 use cli::Cli;
-use cordon_core::{Error, Outcome};
+use cli::edge::Call;
+use cordon_core::text::Printable;
+use cordon_core::{Error, Outcome, Result};
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
-    let mut out = BufWriter::new(io::stdout().lock());
-    let ended = cli.run(&mut out).and_then(|outcome| {
-        out.flush()?;
-        Ok(outcome)
-    });
-    match ended {
+    let mut command = Cli::command();
+    let matches = match command.try_get_matches_from_mut(std::env::args_os()) {
+        Ok(matches) => matches,
+        Err(e) => return usage(&e),
+    };
+    let cli = match Cli::from_arg_matches(&matches) {
+        Ok(cli) => cli,
+        Err(e) => return usage(&e.format(&mut command)),
+    };
+    let call = Call::of(&command, &matches);
+    match run(cli, &call) {
         Ok(outcome) => outcome.into(),
         // The reader has seen what it wanted (`cordon trace ... | head`).
         Err(e) if e.is_broken_pipe() => Outcome::Holds.into(),
         Err(e) => {
+            let e = call.blame(e);
             report(&e);
             e.code().into()
         }
     }
 }
 
+/// Help, or what is wrong with the command line.
+fn usage(error: &clap::Error) -> ExitCode {
+    // Nothing is left to be done where the stream is closed.
+    let _ = error.print();
+    let numbers: Vec<String> = std::env::args().filter(|a| a.starts_with("7.")).collect();
+    if error.use_stderr() && numbers.len() > 1 {
+        let _ = writeln!(
+            io::stderr(),
+            "\ntip: numbers of theorems are separated by commas: {}",
+            numbers.join(",")
+        );
+    }
+    if error.use_stderr() { ExitCode::from(2) } else { ExitCode::SUCCESS }
+}
+
+/// Runs the command. What it says goes to stdout, or to stderr where a file goes to stdout.
+fn run(cli: Cli, call: &Call<'_>) -> Result<Outcome> {
+    let edge: Box<dyn Write> = if call.output()? {
+        Box::new(io::stderr())
+    } else {
+        Box::new(BufWriter::new(io::stdout().lock()))
+    };
+    let mut out = Printable(edge);
+    let outcome = cli.run(&mut out)?;
+    out.flush()?;
+    Ok(outcome)
+}
+
 fn report(error: &Error) {
     // Nothing is left to be done where stderr is closed too.
-    let _ = writeln!(io::stderr(), "error: {error}");
+    let _ = writeln!(Printable(io::stderr()), "error: {error}");
 }

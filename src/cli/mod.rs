@@ -5,6 +5,7 @@
 mod check;
 mod choice;
 mod cosim;
+pub mod edge;
 mod errata;
 mod export;
 mod figures;

@@ -133,7 +133,7 @@ fn search_run(
     };
     match format {
         OutputFormat::Text => {
-            header(protocol, out)?;
+            header(protocol, search.weights.is_some(), out)?;
             match &found {
                 Some(run) => refuted(protocol, path, run, out)?,
                 None => not_refuted(search, &weights, out)?,
@@ -155,9 +155,15 @@ fn search_run(
     Ok(if found.is_some() { Outcome::Refuted } else { Outcome::Inconclusive })
 }
 
-fn header(protocol: &OwnProtocol, out: &mut dyn Write) -> Result<()> {
+/// Other weights than the protocol's own may be searched: then nothing is said of those.
+fn header(protocol: &OwnProtocol, other_weights: bool, out: &mut dyn Write) -> Result<()> {
     let drones = if protocol.count == 1 { "drone" } else { "drones" };
-    writeln!(out, "{}: {} {drones}, {}", protocol.title, protocol.count, range(protocol))?;
+    write!(out, "{}: {} {drones}, ", protocol.title, protocol.count)?;
+    if other_weights {
+        writeln!(out, "at the given eps (the protocol's own: {})", range(protocol))?;
+    } else {
+        writeln!(out, "{}", range(protocol))?;
+    }
     Ok(())
 }
 
@@ -175,7 +181,7 @@ fn proved(
     files: &[String],
     out: &mut dyn Write,
 ) -> Result<()> {
-    header(protocol, out)?;
+    header(protocol, false, out)?;
     writeln!(out, "  proved: the claims hold at every step from every assumed start")?;
     let weights: Vec<String> = proof.certificates.iter().map(|(eps, _)| fraction(eps)).collect();
     let at = match weights.as_slice() {

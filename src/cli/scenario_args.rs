@@ -7,7 +7,7 @@ use cordon_spec::Phase;
 use cordon_core::exact::{self, Rational};
 use cordon_core::{Error, Result, range};
 use cordon_cosim::interchange::into_cps;
-use cordon_run::scenario::{self, Draft, Flight, Scenario, Start};
+use cordon_run::scenario::{self, Draft, Flight, Places, Scenario, Start};
 
 /// A scenario file, flags, or a file with flags in place of some of its fields.
 #[derive(clap::Args, Clone, Debug, Default)]
@@ -63,14 +63,20 @@ impl ScenarioArgs {
     /// # Errors
     /// The file cannot be read or a field is wrong.
     pub fn scenario(&self) -> Result<Scenario> {
-        self.scenario_and_flight().map(|(scenario, _)| scenario)
+        let (scenario, flight, places) = self.scenario_and_flight()?;
+        if flight.faults.is_empty() {
+            return Ok(scenario);
+        }
+        Err(places.point(Error::input(
+            "fault: expected none where the protocol runs alone: `cordon cosim` flies the scenario with its faults",
+        )))
     }
 
-    /// The checked scenario, and what it says about the drones' bodies.
+    /// The checked scenario, what it says about the drones' bodies, and where.
     ///
     /// # Errors
     /// The file cannot be read or a field is wrong.
-    pub fn scenario_and_flight(&self) -> Result<(Scenario, Flight)> {
+    pub fn scenario_and_flight(&self) -> Result<(Scenario, Flight, Places)> {
         let file = match &self.file {
             Some(path) if into_cps::is_multi_model(path) => into_cps::read(path)?,
             Some(path) => scenario::read(path)?,
@@ -78,14 +84,16 @@ impl ScenarioArgs {
         };
         let flags = self.draft()?;
         let draft = file.replaced_by(flags);
-        let flight = draft.flight.clone();
-        Ok((self.in_file(draft.finish())?, flight))
+        let (flight, places) = (draft.flight.clone(), draft.places.clone());
+        Ok((draft.finish()?, flight, places))
     }
 
     /// Names the file in an error about what it says.
     pub(super) fn in_file<T>(&self, result: Result<T>) -> Result<T> {
         result.map_err(|e| match (&self.file, e) {
-            (Some(path), Error::Input(message)) => {
+            (Some(path), Error::Input(message))
+                if !message.starts_with(&*path.to_string_lossy()) =>
+            {
                 Error::input(format!("{}: {message}", path.display()))
             }
             (_, e) => e,

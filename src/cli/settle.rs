@@ -61,7 +61,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         Settling::NotFromEveryStart(w) => {
             ("growth", Some(certificate::growth(args.drones, &eps, &w.weights)))
         }
-        Settling::Undecided => ("", None),
+        Settling::Stays(_) | Settling::NeverFromThisStart | Settling::Undecided => ("", None),
     };
     if certificate.as_ref().is_some_and(|c| !certificate::accepted(c)) {
         writeln!(out, "{REJECTED}")?;
@@ -103,7 +103,10 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         }
     }
     Ok(match found {
-        Settling::Settles { observed: Observed::Step(_), .. } => Outcome::Holds,
+        Settling::Settles { observed: Observed::Step(_), .. } | Settling::Stays(_) => {
+            Outcome::Holds
+        }
+        Settling::NeverFromThisStart => Outcome::Refuted,
         Settling::NotFromEveryStart(_) if args.start.is_none() => Outcome::Refuted,
         _ => Outcome::Inconclusive,
     })
@@ -173,6 +176,18 @@ fn text(args: &Args, found: &Settling, out: &mut dyn Write) -> Result<()> {
                 writeln!(out, "          whether this one does is not decided")?;
             }
         }
+        Settling::Stays(step) => {
+            writeln!(
+                out,
+                "  true    step {step:<8} within the distance for ever, without converging to the targets"
+            )?;
+        }
+        Settling::NeverFromThisStart => {
+            writeln!(
+                out,
+                "  never   the errors of this start do not fall below the distance for good"
+            )?;
+        }
         Settling::Undecided => {
             writeln!(out, "  not decided: the weight is too near the critical one")?;
         }
@@ -201,6 +216,15 @@ fn as_json(found: &Settling) -> Value {
             "settles": false,
             "evidence": "growth",
             "vector": vector(w),
+        }),
+        Settling::Stays(step) => json!({
+            "settles": true,
+            "converges": false,
+            "true": { "step": step, "evidence": "closed form of the errors" },
+        }),
+        Settling::NeverFromThisStart => json!({
+            "settles": false,
+            "evidence": "closed form of the errors",
         }),
         Settling::Undecided => Value::Null,
     }

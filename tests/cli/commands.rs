@@ -276,6 +276,31 @@ fn bad_input_is_named() {
             2,
             &["graph", "`coverage`"],
         ),
+        (
+            &["trace", "scenarios/consensus.toml", "--min", "0"],
+            2,
+            &["--min: not a field of protocol `consensus`"],
+        ),
+        (
+            &["trace", "scenarios/faults.toml"],
+            2,
+            &["scenarios/faults.toml:", "fault: expected none", "`cordon cosim`"],
+        ),
+        (
+            &["cosim", "scenarios/paper.toml", "--tau", "1000"],
+            2,
+            &["--tau: `1000`: expected at most the length of the run"],
+        ),
+        (
+            &["cosim", "scenarios/paper.toml", "--master", "slave"],
+            2,
+            &["error: --master: `slave`: expected"],
+        ),
+        (
+            &["trace", "scenarios/paper.toml", "--drones", "7"],
+            2,
+            &["scenarios/paper.toml:", ": start: 5 positions given"],
+        ),
         (&["trace", "no-such-file.toml"], 74, &["cannot read `no-such-file.toml`"]),
         (&["trace", "scenarios"], 74, &["cannot read `scenarios`"]),
         (
@@ -298,7 +323,7 @@ fn bad_input_is_named() {
         }
         assert!(!err.contains("panicked"), "{err}");
     }
-    assert_eq!(table.len(), 35);
+    assert_eq!(table.len(), 40);
 }
 
 /// Scenario files: the message has file, line and column.
@@ -314,7 +339,19 @@ fn bad_scenario_files_are_named_with_their_place() {
         ("start = [0, 1, 2]\nweight = 0.2\nweight = 0.3\n", ":3:1: "),
         ("start = [0, 1, 2\n", ":"),
         ("start = [0, 1, 2]\nweight = 0.2\nphase = \"third\"\n", ":3:9: phase: `third`"),
-        ("start = [0, 1, 2]\nweight = 0.2\nperiod = -1\n", ":3:10: "),
+        (
+            "start = [0, 1, 2]\nweight = 0.2\nperiod = -1\n",
+            ":3:10: period: `-1`: expected a whole number",
+        ),
+        (
+            "start = [0, 1, 2]\nweight = 0.2\ndrones = \"3\"\n",
+            ":3:10: drones: `3`: expected a whole number",
+        ),
+        ("start = [0, 1, 2]\nweight = 0.2\nperiod = 0\n", ":3:10: period: `0`"),
+        (
+            "start = [0, 1, 2]\nweight = 0.2\n[flight]\nmaster = 3\n",
+            ":4:10: flight.master: `3`: expected a text in quotes",
+        ),
         ("start = [0, 1, 2]\nspread_to = 1\nweight = 0.2\n", "expected one of them"),
         ("start = [0, 1]\nweight = 0.2\n", "drones: `2`"),
         (

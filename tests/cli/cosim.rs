@@ -169,7 +169,7 @@ fn bad_flights_are_refused() {
         ("[flight]\nstart = [0, true]\n", "bad.toml:6:13: flight.start: expected a number"),
         (
             "[flight]\nintegrator = \"rk4\"\n",
-            "bad.toml: integrator: `rk4`: expected `euler` or `exact`",
+            "bad.toml:6:14: integrator: `rk4`: expected `euler` or `exact`",
         ),
         ("[[fault]]\nkind = \"lost\"\n", "bad.toml:6:8: fault: `lost` is unknown"),
         ("[[fault]]\nkind = \"loss\"\n", "bad.toml:6:8: fault: probability is missing"),

@@ -92,6 +92,8 @@ fn traces_of_the_shipped_scenarios_are_golden() {
         .map(|e| e.unwrap().path())
         .filter(|p| p.extension().is_some_and(|e| e == "toml"))
         .map(|p| p.file_stem().unwrap().to_str().unwrap().to_owned())
+        // A trace has no faults: it refuses this one.
+        .filter(|name| name != "faults")
         .collect();
     names.sort();
     let mut compared = 0;
@@ -116,5 +118,5 @@ fn traces_of_the_shipped_scenarios_are_golden() {
         assert_eq!(out, expected, "{name}");
         compared += 1;
     }
-    assert_eq!(compared, 8);
+    assert_eq!(compared, 7);
 }

@@ -9,6 +9,7 @@ mod commands;
 mod cosim;
 mod documents;
 mod export_pvs;
+mod files;
 #[cfg(feature = "fmi-import")]
 mod fmi_import;
 mod fmpy;

@@ -314,6 +314,149 @@ fn damaged_files_are_refused() {
     assert_eq!(text(&path), whole);
 }
 
+/// Every line is held against the configuration and against itself, in merging and resuming.
+#[test]
+fn lines_that_cannot_be_so_are_refused_by_their_number() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let sound = "7.3 --form sharp --drones 3..4 --eps 0,1/2 --grid 4 --steps 5";
+    let refuted = "7.6ii --form paper --drones 3 --eps 0,1/5 --grid 4 --steps 5";
+    let complete = "7.3 --form sharp --drones 3 --eps 1/2 --complete --steps 5";
+    let sampled = "7.3 --form sharp --drones 3 --eps 1/2 --grid 9 --sample 20 --seed 1 --steps 5";
+    let cases = [
+        (sound, 2, "\"violations\":0", "\"violations\":7", "verdict `holds`: expected `refuted`"),
+        (
+            sound,
+            3,
+            "\"verdict\":\"holds\"",
+            "\"verdict\":\"refuted\"",
+            "verdict `refuted`: expected `holds`",
+        ),
+        (
+            sound,
+            3,
+            "\"verdict\":\"holds\"",
+            "\"verdict\":\"vacuous\"",
+            "verdict `vacuous`: expected `holds`",
+        ),
+        (
+            sound,
+            2,
+            "\"non_vacuous\":",
+            "\"non_vacuous\":9",
+            " non-vacuous and 0 undecided cases: expected at most ",
+        ),
+        (sound, 2, "\"undecided\":0", "\"undecided\":1", " non-vacuous and 1 undecided cases"),
+        (
+            sound,
+            2,
+            "\"violations\":0",
+            "\"violations\":7777",
+            "7777 violations: expected at most as many",
+        ),
+        (sound, 2, "\"cases\":", "\"cases\":1", " cases: expected "),
+        (sound, 2, "\"starts\":", "\"starts\":1", " starts: expected "),
+        (sound, 2, "\"updates\":", "\"updates\":999", " updates: expected at most "),
+        (
+            sound,
+            2,
+            "exhaustive on a grid",
+            "complete for all starts",
+            "evidence `complete for all starts`: expected `exhaustive on a grid`",
+        ),
+        (sound, 2, "\"segment\":", "\"segment\":1", "segment 1"),
+        (
+            refuted,
+            2,
+            "\"verdict\":\"refuted\"",
+            "\"verdict\":\"holds\"",
+            "verdict `holds`: expected `refuted`",
+        ),
+        (refuted, 2, "\"start\":[\"0\",\"", "\"start\":[\"0\",\"1/", "counterexample: "),
+        (refuted, 2, "\"violation\":\"", "\"violation\":\"not ", "counterexample: expected `"),
+        (
+            complete,
+            2,
+            "complete for all starts",
+            "sampled",
+            "evidence `sampled`: expected `complete for all starts`",
+        ),
+        (complete, 2, "\"cases\":6", "\"cases\":5", "5 cases: expected 6"),
+        (complete, 2, "\"segment\":null", "\"segment\":4", "segment 4: expected none"),
+        (sampled, 2, "\"starts\":20", "\"starts\":21", "21 starts: expected 20"),
+    ];
+    let mut refusals = 0;
+    for (args, line, from, to, says) in cases {
+        let file = at("part.jsonl");
+        let _ = fs::remove_file(&file);
+        let args = format!("{args} --out {file}");
+        let (code, report, _) = sweep(&args);
+        let whole = fs::read_to_string(&file).unwrap();
+        let (again, merged, _) = sweep(&format!("merge {file} --audit 2"));
+        assert_eq!((again, &merged), (code, &report));
+        let mut lines: Vec<String> = whole.lines().map(str::to_owned).collect();
+        let changed = lines[line - 1].replacen(from, to, 1);
+        assert_ne!(changed, lines[line - 1], "{from}");
+        lines[line - 1] = changed;
+        let content = lines.join("\n") + "\n";
+        fs::write(&file, &content).unwrap();
+        for command in [args.as_str(), &format!("merge {file}")] {
+            refused(command, &format!("line {line}: "));
+            refused(command, says);
+        }
+        assert_eq!(fs::read_to_string(&file).unwrap(), content);
+        refusals += 1;
+    }
+    assert_eq!(refusals, 18);
+    // What no look at the line shows, an audit does: one case of the premise more.
+    let file = at("audited.jsonl");
+    assert_eq!(
+        sweep(&format!("7.4ii --form sharp --drones 3 --eps 1/2 --grid 4 --steps 5 --out {file}"))
+            .0,
+        0
+    );
+    let whole = fs::read_to_string(&file).unwrap();
+    let at_count = whole.find("\"non_vacuous\":").unwrap() + "\"non_vacuous\":".len();
+    let count: u64 = whole[at_count..].split(',').next().unwrap().parse().unwrap();
+    let changed = whole.replacen(
+        &format!("\"non_vacuous\":{count}"),
+        &format!("\"non_vacuous\":{}", count + 1),
+        1,
+    );
+    fs::write(&file, changed).unwrap();
+    assert_eq!(sweep(&format!("merge {file}")).0, 0);
+    refused(
+        &format!("merge {file} --audit 1"),
+        "--audit: work item 0 (7.4ii sharp, N = 3, eps = 1/2)",
+    );
+}
+
+#[test]
+fn a_first_try_says_that_its_refutations_were_expected() {
+    let (code, out, _) = sweep("7.2,7.6ii --drones 3 --grid 4 --steps 5");
+    assert_eq!(code, 1);
+    assert!(
+        out.contains("expected: as printed, 7.6ii fails beyond the range in which it is true"),
+        "{out}"
+    );
+    assert!(out.ends_with("`cordon sweep 7.6ii --form sharp` sweeps what holds\n"), "{out}");
+    assert_eq!(sweep("7.2,7.6ii --drones 3 --grid 4 --steps 5 --form sharp").0, 0);
+    let (code, out, _) = sweep("7.2 --form sharp --eps 3/5 --any-weight --drones 4");
+    assert_eq!((code, out.contains("expected:")), (1, false));
+    let (code, _, err) = sweep("7.2 7.3");
+    assert_eq!(code, 2);
+    assert!(err.contains("tip: numbers of theorems are separated by commas: 7.2,7.3"), "{err}");
+}
+
+#[test]
+fn a_stream_is_no_result_file() {
+    refused("7.2 --form sharp --drones 3 --out -", "--out: `-`: expected a file");
+    if cfg!(unix) {
+        assert_eq!(sweep("7.2 --form sharp --drones 3 --out /dev/null").0, 0);
+        assert!(!fs::metadata("/dev/null").unwrap().is_file());
+    }
+}
+
 #[test]
 fn bad_input_is_refused() {
     refused("9.9", "theorem: `9.9` is unknown");

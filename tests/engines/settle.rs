@@ -131,6 +131,51 @@ fn exact_ties_are_settled_exactly() {
     assert_eq!(steps(found), (vec![0, 0], 0));
 }
 
+/// Without a contraction a run may stay within the distance all the same.
+#[test]
+fn runs_that_do_not_converge_are_judged_by_their_errors() {
+    let every =
+        |count, eps, within| settling(&Starts::AllWithin(count), &q(eps), &q(within)).unwrap();
+    let one = |start: &str, eps, within| {
+        settling(&Starts::One(crate::common::qs(start)), &q(eps), &q(within)).unwrap()
+    };
+    let never = |found| matches!(found, Settling::NotFromEveryStart(_));
+    assert_eq!(every(3, "1", "100"), Settling::Stays(0));
+    assert_eq!(every(3, "1", "1/2"), Settling::Stays(0));
+    assert!(never(every(3, "1", "49/100")));
+    assert_eq!(every(5, "0", "1"), Settling::Stays(0));
+    assert_eq!(every(5, "0", "3/4"), Settling::Stays(0));
+    assert!(never(every(5, "0", "7/10")));
+    assert_eq!(every(4, "2/3", "1"), Settling::Stays(0));
+    assert!(never(every(4, "2/3", "1/3")));
+    // Beyond the critical weight errors grow, but for those that are not there.
+    assert!(never(every(4, "3/4", "100")));
+    assert_eq!(one("0,1,2,3", "3/4", "1/100"), Settling::Stays(0));
+    assert!(never(one("0,1,1,3", "3/4", "1/100")));
+    // N = 4, eps = 2/3: e = s/3^k +- d, against runs of the spec.
+    let mut compared = 0;
+    for (a, b) in [("1/2", "3"), ("0", "5"), ("3", "3"), ("1", "2"), ("4", "-1")] {
+        for within in ["1/10", "1/2", "1", "5/4", "3/2", "2", "3", "7"] {
+            let start = crate::common::qs(&format!("0,{a},{b},3"));
+            let found = settling(&Starts::One(start.clone()), &q("2/3"), &q(within)).unwrap();
+            let step = by_running(&start, &q("2/3"), &q(within), 40);
+            let expected =
+                if step > 30 { Settling::NeverFromThisStart } else { Settling::Stays(step) };
+            assert_eq!(found, expected, "{a} {b} {within}");
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 40);
+    // Distances far below what doubles hold.
+    let tiny = format!("1/1{}", "0".repeat(300));
+    let Settling::Settles { proved, observed: Observed::Step(step), .. } = every(5, "1/2", &tiny)
+    else {
+        panic!("too long")
+    };
+    assert_eq!(step, by_running(&crate::common::qs("0,1,1,1,1"), &q("1/2"), &q(&tiny), 2_050));
+    assert!(proved.iter().all(|p| p.step >= step));
+}
+
 #[test]
 fn from_the_command_line() {
     let args = ["settle", "--drones", "5", "--eps", "1/4", "--within", "0.01"];
@@ -155,6 +200,14 @@ fn from_the_command_line() {
         assert_eq!((code, out.as_str()), (2, ""));
         assert!(err.contains(expected), "{err}");
     }
+    let stays = ["settle", "--drones", "3", "--eps", "1", "--within", "100"];
+    let (code, out, _) = run(&stays);
+    assert_eq!(code, 0);
+    assert!(out.contains("true    step 0 ") && out.contains("without converging"), "{out}");
+    let (code, out, _) = run(&[&stays[..], &["--format", "json"]].concat());
+    assert_eq!((code, out.contains("\"settles\": true")), (0, true));
+    let never = ["settle", "--drones", "3", "--eps", "1", "--within", "0.1", "--start", "0,1,4"];
+    assert_eq!(run(&never).0, 1);
     let short = ["settle", "--drones", "5", "--eps", "1/4", "--within", "1", "--start", "0,1,2"];
     assert_eq!(run(&short).0, 2);
 }

@@ -4,6 +4,7 @@ use num_bigint::{BigInt, BigUint, Sign};
 use num_integer::Integer;
 use num_traits::{One, Pow, Signed, Zero};
 
+use crate::text::cut;
 use crate::{Error, Result};
 
 /// The exact rationals on which the spec is executed by default.
@@ -27,8 +28,7 @@ pub fn parse(what: &str, text: &str) -> Result<Rational> {
 
 /// What a user wrote, cut where it is too long for a message.
 pub fn shortened(text: &str) -> String {
-    let shown: String = text.chars().take(40).collect();
-    if shown.len() < text.len() { shown + "..." } else { shown }
+    cut(text, 40)
 }
 
 const EXPECTED: &str = "is not a number: expected an integer, a fraction like 1/5 or a decimal";

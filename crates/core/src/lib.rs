@@ -6,7 +6,8 @@
 //! * [`stencil`]: the step's coefficients; [`linear`], [`simplex`]: exact linear algebra and
 //!   programs.
 //! * [`theorems`], [`violation`], [`evidence`]: the theorems by number, violations in words, what verdicts rest on.
-//! * [`error`], [`files`], [`serial`]: how a command ends, how it reads and writes.
+//! * [`error`], [`files`], [`serial`], [`text`]: how a command ends, how it reads and writes, and
+//!   what of a user's text is shown.
 
 pub mod error;
 pub mod evidence;
@@ -20,6 +21,7 @@ pub mod scalar;
 pub mod serial;
 pub mod simplex;
 pub mod stencil;
+pub mod text;
 pub mod theorems;
 pub mod violation;
 

@@ -112,6 +112,12 @@ impl Cosimulation {
                 Grid::new(tau, u64::try_from(steps).unwrap_or(u64::MAX))?
             }
         };
+        if grid.steps() == 0 {
+            return Err(Error::input(format!(
+                "tau: `{}`: expected at most the length of the run, so that it has a step",
+                grid.tau()
+            )));
+        }
         let count = scenario.count();
         let start = flight.start.unwrap_or_else(|| scenario.start.clone());
         if start.len() != count {

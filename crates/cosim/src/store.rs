@@ -10,7 +10,8 @@ use std::path::{Path, PathBuf};
 
 use super::fingerprint::Fingerprint;
 use super::record::Record;
-use cordon_core::{Error, Result, files};
+use cordon_core::files::{self, Limit};
+use cordon_core::{Error, Result};
 
 pub use csv::csv;
 pub use json::json;
@@ -74,6 +75,8 @@ pub fn save(record: &Record, format: Format, path: &Path) -> Result<()> {
     })?;
     match format {
         Format::Json => Ok(()),
+        // Beside a pipe or a device there is no place for another file.
+        _ if !files::is_regular(path) => Ok(()),
         Format::Csv | Format::Parquet => {
             let companion = json::companion(record, fingerprint)?;
             files::write_atomically(&companion_of(path), &companion)
@@ -115,19 +118,19 @@ pub fn load(path: &Path) -> Result<Record> {
     let name = path.display().to_string();
     match Format::of(path) {
         Format::Csv => {
-            let text = files::read_text(path)?;
+            let text = files::read_text(path, Limit::RUN)?;
             let mut record = csv::parse(&name, &text)?;
             let companion = companion_of(path);
             if companion.exists() {
                 let mut fingerprint = Fingerprint::default();
                 fingerprint.add(text.as_bytes());
-                let about = files::read_text(&companion)?;
+                let about = files::read_text(&companion, Limit::RUN)?;
                 let name = companion.display().to_string();
                 json::accompany(&mut record, fingerprint, &name, &about)?;
             }
             Ok(record)
         }
-        Format::Json => json::parse(&name, &files::read_text(path)?),
+        Format::Json => json::parse(&name, &files::read_text(path, Limit::RUN)?),
         Format::Parquet => Err(Error::input(format!(
             "`{name}`: expected a run file in CSV or JSON; Parquet is written only"
         ))),

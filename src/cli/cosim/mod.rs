@@ -11,8 +11,9 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::cli::choice::{Choice, choice};
 use crate::cli::fmu::HOST;
 use crate::cli::scenario_args::ScenarioArgs;
-use cordon_core::exact;
+use cordon_core::text::Printable;
 use cordon_core::{Error, Outcome, Result};
+use cordon_core::{exact, files};
 use cordon_cosim::cosimulation::{Cosimulation, Loader};
 use cordon_cosim::fmi::import::{Isolation, substitute};
 use cordon_cosim::record::Record;
@@ -89,18 +90,8 @@ impl FlightArgs {
     /// # Errors
     /// One of them is given.
     pub(in crate::cli) fn refuse_for(&self, run: &Path) -> Result<()> {
-        let given = [
-            ("duration", self.duration.is_some()),
-            ("integrator", self.integrator.is_some()),
-            ("master", self.master.is_some()),
-            ("exchange", self.exchange.is_some()),
-            ("seed", self.seed.is_some()),
-            ("compat", self.compat.is_some()),
-            ("in-process", self.in_process),
-            ("step-limit", self.step_limit.is_some()),
-        ];
-        match given.iter().find(|(_, is)| *is) {
-            Some((flag, _)) => Err(Error::input(format!(
+        match self.given().next() {
+            Some(flag) => Err(Error::input(format!(
                 "{flag}: expected a scenario to fly, found a run, `{}`",
                 run.display()
             ))),
@@ -127,12 +118,26 @@ impl FlightArgs {
         })
     }
 
+    fn given(&self) -> impl Iterator<Item = &'static str> {
+        let flags = [
+            ("duration", self.duration.is_some()),
+            ("integrator", self.integrator.is_some()),
+            ("master", self.master.is_some()),
+            ("exchange", self.exchange.is_some()),
+            ("seed", self.seed.is_some()),
+            ("compat", self.compat.is_some()),
+            ("in-process", self.in_process),
+            ("step-limit", self.step_limit.is_some()),
+        ];
+        flags.into_iter().filter(|(_, is)| *is).map(|(flag, _)| flag)
+    }
+
     /// The swarm that a scenario and these flags describe.
     ///
     /// # Errors
     /// The scenario cannot be read, or a field is wrong.
     pub(in crate::cli) fn swarm(&self, scenario: &ScenarioArgs) -> Result<Cosimulation> {
-        let (checked, flight) = scenario.scenario_and_flight()?;
+        let (checked, flight, mut places) = scenario.scenario_and_flight()?;
         let flags = Flight {
             duration: self.duration.as_deref().map(|t| exact::parse("duration", t)).transpose()?,
             integrator: self.integrator.clone(),
@@ -141,7 +146,9 @@ impl FlightArgs {
             seed: self.seed,
             ..Flight::default()
         };
-        let mut swarm = scenario.in_file(Cosimulation::new(checked, flight.replaced_by(flags)))?;
+        self.given().for_each(|flag| places.replaced(flag));
+        let swarm = Cosimulation::new(checked, flight.replaced_by(flags));
+        let mut swarm = swarm.map_err(|e| places.point(e))?;
         let isolation = self.isolation()?;
         swarm.load = Loader::new(move |fmu, unit| substitute(&isolation, fmu, unit));
         match self.compat {
@@ -178,8 +185,8 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             out.write_all(&about)?;
         }
         (None, Some(format)) => {
-            store::write(&record, format, out)?;
             // stdout carries the run alone.
+            store::save(&record, format, Path::new(files::STREAM))?;
             eprint_all(&about);
         }
         (None, None) => out.write_all(&about)?,
@@ -190,7 +197,7 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
 
 fn eprint_all(text: &[u8]) {
     // Nothing is left to be done where stderr is closed.
-    let _ = std::io::stderr().write_all(text);
+    let _ = Printable(std::io::stderr()).write_all(text);
 }
 
 fn flown(swarm: &Cosimulation, progress: bool) -> Result<(Record, Result<()>)> {

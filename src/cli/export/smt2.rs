@@ -1,13 +1,14 @@
 //! `cordon export smt2`.
 
-use std::io::{Read, Write};
+use std::io::Write;
 use std::path::PathBuf;
 
 use cordon_spec::theorems::Form;
 
 use super::super::select::FormArg;
 
-use cordon_core::{Error, Outcome, Result, files, range};
+use cordon_core::files::{self, Limit};
+use cordon_core::{Error, Outcome, Result, range};
 use cordon_proof::export::claim::Claim;
 use cordon_proof::export::smt_model::{Answer, Model, Replay, read_answer, replay};
 use cordon_proof::export::smt2::{
@@ -112,13 +113,7 @@ fn answer(queries: &[Query], path: &std::path::Path, out: &mut dyn Write) -> Res
             "--answer: expected one claim and one number of drones, like `7.2 --drones 4`",
         ));
     };
-    let text = if path.as_os_str() == "-" {
-        let mut text = String::new();
-        std::io::stdin().read_to_string(&mut text).map_err(|e| Error::file("read", path, e))?;
-        text
-    } else {
-        files::read_text(path)?
-    };
+    let text = files::read_text(path, Limit::ANSWER)?;
     match read_answer(query, &text)? {
         Answer::Unsat => {
             writeln!(out, "unsat: the solver finds no counterexample")?;

@@ -29,6 +29,15 @@ at once. A row says which kind of evidence it is. Segments are [0, L] with L the
 multiple of N-1 of at least G grid units; for theorems whose starts lie in the first subsegment \
 (assumption 3) that subsegment has G units.
 
+Printed forms of some theorems fail beyond their true range, so that a sweep of both forms of all \
+theorems ends with exit code 1; `cordon sweep --form sharp` ends with 0.
+
+Examples:
+  cordon sweep --form sharp                       all theorems, every start on a small grid
+  cordon sweep 7.2,7.3 --complete --drones 3..12  from all real starts
+  cordon sweep 7.8 --shard 1/4 --out part-1.jsonl one part of four, which goes on after a crash
+  cordon sweep merge part-*.jsonl --audit 5       the parts together, five items computed anew
+
 Exit codes: 0 every claim holds, 1 some claim is refuted (a counterexample is printed, with the \
 command that replays it), 2 bad usage or input, 3 some claim is vacuous or undecided, 74 I/O error";
 
@@ -47,6 +56,9 @@ struct MergeArgs {
     /// Write the whole sweep to this result file
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    /// Compute this many work items anew, drawn at random, and refuse files that say otherwise
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    audit: usize,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     format: OutputFormat,
@@ -62,6 +74,17 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
 
 fn merged(args: &MergeArgs, out: &mut dyn Write) -> Result<Outcome> {
     let (config, findings) = merge::merge(&args.files)?;
+    if args.audit > 0 {
+        let seed = options::fresh_seed();
+        let drawn = merge::audit(&config, &findings, args.audit, seed)?;
+        // Nothing is left to be done where stderr is closed.
+        let _ = writeln!(
+            std::io::stderr(),
+            "audited: {} of {} work items computed anew, all the same (seed {seed})",
+            drawn.len(),
+            findings.len()
+        );
+    }
     let header = Header::new(&config, Shard::WHOLE, findings.len());
     if let Some(path) = &args.out {
         let mut content = line_of(&header)?;
@@ -83,6 +106,9 @@ fn swept(options: &options::Options, out: &mut dyn Write) -> Result<Outcome> {
         return Err(nothing(&config, shard));
     }
     let total = work(&config, &items)?;
+    if options.out.as_ref().is_some_and(|path| path.as_os_str() == files::STREAM) {
+        return Err(Error::input("out: `-`: expected a file, from which a later run goes on"));
+    }
     let (mut store, mut findings) = match &options.out {
         Some(path) => {
             let (store, findings) = Store::open(path, &header, &items)?;

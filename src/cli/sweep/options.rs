@@ -23,7 +23,7 @@ pub(super) struct Options {
     /// Which form of the theorems
     #[arg(long, value_enum, default_value_t = Forms::Both)]
     form: Forms,
-    /// Numbers of drones, both ends included
+    /// Numbers of drones, both ends included, from 3 to 64
     #[arg(long, value_name = "LO..HI", default_value = "3..5")]
     drones: String,
     /// Sweep all weights eps = p/q of the range with q up to this
@@ -41,7 +41,7 @@ pub(super) struct Options {
     /// Least number of grid units across the region where internal drones start
     #[arg(long, value_name = "G", default_value_t = 8)]
     grid: u32,
-    /// Last protocol step k
+    /// Last protocol step k, up to 100000
     #[arg(long, value_name = "K", default_value_t = 20)]
     steps: usize,
     /// Decide for all real starts instead of trying a grid
@@ -53,7 +53,7 @@ pub(super) struct Options {
     /// Seed of the draws [default: a new one]
     #[arg(long, value_name = "S", requires = "sample")]
     seed: Option<u64>,
-    /// Threads [default: one for each core]
+    /// Threads, 1 to 1024 [default: one for each core]
     #[arg(long, value_name = "T")]
     threads: Option<usize>,
     /// Run part I of N: the parts have all work items, each once
@@ -77,6 +77,11 @@ enum Forms {
     Both,
 }
 
+/// Any number: stderr tells which it was.
+pub(super) fn fresh_seed() -> u64 {
+    RandomState::new().build_hasher().finish() >> 32
+}
+
 /// Most threads: more than any machine has, few enough to start.
 const MAX_THREADS: usize = 1024;
 
@@ -92,15 +97,11 @@ impl Options {
         let starts = match (self.complete, self.sample) {
             (true, _) => StartSpace::Complete,
             (false, None) => StartSpace::Grid { resolution: self.grid },
-            (false, Some(samples)) => {
-                // Any number will do: the last line on stderr tells which it was.
-                let fresh = || RandomState::new().build_hasher().finish() >> 32;
-                StartSpace::Sample {
-                    resolution: self.grid,
-                    samples,
-                    seed: self.seed.unwrap_or_else(fresh),
-                }
-            }
+            (false, Some(samples)) => StartSpace::Sample {
+                resolution: self.grid,
+                samples,
+                seed: self.seed.unwrap_or_else(fresh_seed),
+            },
         };
         let config =
             Config::new(&theorems, forms, drones.into(), self.weights()?, self.steps, starts);

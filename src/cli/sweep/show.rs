@@ -7,10 +7,12 @@ use serde_json::json;
 
 use crate::cli::select::OutputFormat;
 use cordon_core::exact::fraction;
+use cordon_core::theorems::words;
 use cordon_core::{Outcome, Rational, Result};
 use cordon_proof::sweep::store::{Header, Shard};
 use cordon_proof::sweep::summary::{Summary, outcome, summaries};
-use cordon_proof::sweep::{Config, Finding, StartSpace, WeightSet};
+use cordon_proof::sweep::{Config, Finding, Judgement, StartSpace, WeightSet};
+use cordon_spec::theorems::Form;
 
 /// Prints what a sweep has found.
 pub(super) fn report(
@@ -88,6 +90,29 @@ fn text(
     for c in summaries {
         about(c, out)?;
     }
+    expected(findings, out)?;
+    Ok(())
+}
+
+/// Where printed forms alone are refuted: that this was to be expected, and what holds.
+fn expected(findings: &[Finding], out: &mut dyn Write) -> Result<()> {
+    let refuted = || findings.iter().filter(|f| f.verdict == Judgement::Refuted);
+    if refuted().next().is_none()
+        || refuted().any(|f| f.form != Form::Paper || words(f.theorem).erratum.is_none())
+    {
+        return Ok(());
+    }
+    let mut theorems: Vec<_> = refuted().map(|f| f.theorem.number()).collect();
+    theorems.dedup();
+    writeln!(
+        out,
+        "\nexpected: as printed, {} fail{} beyond the range in which {} true (`cordon errata`); \
+         `cordon sweep {} --form sharp` sweeps what holds",
+        theorems.join(", "),
+        if theorems.len() == 1 { "s" } else { "" },
+        if theorems.len() == 1 { "it is" } else { "they are" },
+        theorems.join(",")
+    )?;
     Ok(())
 }
 

@@ -99,7 +99,7 @@ fn read(folder: &Path) -> Result<BTreeMap<String, String>> {
     for entry in std::fs::read_dir(folder).map_err(fail)? {
         let path: PathBuf = entry.map_err(fail)?.path();
         let name = path.file_name().map(|n| n.to_string_lossy().into_owned());
-        found.insert(name.unwrap_or_default(), files::read_text(&path)?);
+        found.insert(name.unwrap_or_default(), files::read_text(&path, files::Limit::RECORD)?);
     }
     Ok(found)
 }

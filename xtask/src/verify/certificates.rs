@@ -65,7 +65,7 @@ fn files_below(folder: &Path, found: &mut Vec<PathBuf>) -> std::io::Result<()> {
 }
 
 fn judge(path: &Path) -> Result<Judged, String> {
-    let text = files::read_text(path).map_err(|e| e.to_string())?;
+    let text = files::read_text(path, files::Limit::RECORD).map_err(|e| e.to_string())?;
     let started = Instant::now();
     let answer = cordon_check::check(&text);
     let seconds = started.elapsed().as_secs_f64();

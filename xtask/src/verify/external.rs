@@ -89,7 +89,7 @@ impl External {
     /// Rows of the table about a theorem: form and statement.
     fn rows(&self, theorem: Theorem) -> Result<Vec<Row>, String> {
         let path = self.root.join(self.tool.folder).join(TABLE);
-        let text = files::read_text(&path)
+        let text = files::read_text(&path, files::Limit::RECORD)
             .map_err(|_| format!("no `{}/{TABLE}` that says what is claimed", self.tool.folder))?;
         Ok(text.lines().skip(1).filter_map(Row::read).filter(|r| r.is_about(theorem)).collect())
     }

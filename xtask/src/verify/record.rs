@@ -90,7 +90,8 @@ impl Records {
         if !path.exists() {
             return Ok(Self { schema: SCHEMA.to_owned(), records: Vec::new() });
         }
-        let records: Self = serde_json::from_str(&files::read_text(&path)?).map_err(|e| {
+        let records: Self = serde_json::from_str(&files::read_text(&path, files::Limit::RECORD)?)
+            .map_err(|e| {
             let (line, column) = (e.line(), e.column());
             Error::input(format!("{}:{line}:{column}: expected records: {e}", path.display()))
         })?;

@@ -4,6 +4,7 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use cordon_core::files::{self, Limit};
 use cordon_core::{Error, Result};
 
 /// The compiled crate's file name.
@@ -23,7 +24,7 @@ const BUILD: &str = "cargo build --release -p cordon-fmu";
 /// There is none, or it cannot be read; the message says how to build it.
 pub fn load(named: Option<&Path>) -> Result<Vec<u8>> {
     if let Some(path) = named {
-        return std::fs::read(path).map_err(|e| Error::file("read", path, e));
+        return files::read(path, Limit::FMU);
     }
     let here = env::current_exe().map_err(|e| Error::file("find", Path::new("cordon"), e))?;
     let Some(folder) = here.parent() else {

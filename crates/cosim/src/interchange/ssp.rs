@@ -11,6 +11,7 @@ use crate::fmi::package;
 use crate::fmi::units::{self, Xml, has_unit};
 use crate::unit::{Causality, Kind, Value, Variable};
 use cordon_core::exact;
+use cordon_core::text::one_line;
 
 /// Elements of the list of units.
 const UNITS: units::Elements =
@@ -52,7 +53,7 @@ pub fn structure(assembly: &Assembly) -> Result<Vec<u8>> {
         .with_attribute(("xmlns:ssc", namespace("Common").as_str()))
         .with_attribute(("xmlns:ssv", namespace("ParameterValues").as_str()))
         .with_attribute(("version", "1.0"))
-        .with_attribute(("name", assembly.title.as_str()))
+        .with_attribute(("name", one_line(&assembly.title).as_str()))
         .with_attribute(("generationTool", concat!("cordon ", env!("CARGO_PKG_VERSION"))))
         .write_inner_content(|xml| {
             xml.create_element("ssd:System")

@@ -9,8 +9,10 @@ use toml::{Spanned, Value};
 
 use super::expression::{Expression, Fault, parse_claim};
 use super::{Claim, OwnProtocol, Update};
-use cordon_core::{Error, Rational, Result, files, range};
+use cordon_core::files::{self, Limit};
+use cordon_core::{Error, Rational, Result, range};
 use cordon_run::scenario::Topology;
+use cordon_run::scenario::document::document;
 use cordon_run::scenario::file::Source;
 
 /// A protocol file as written.
@@ -41,7 +43,7 @@ const MOST_COMPARISONS: usize = 200;
 /// The file cannot be read, is no TOML, has an unknown key, or says something that is not
 /// linear: the message has file, line, column and key.
 pub fn read(path: &Path) -> Result<OwnProtocol> {
-    parse(&path.display().to_string(), &files::read_text(path)?)
+    parse(&path.display().to_string(), &files::read_text(path, Limit::PROTOCOL)?)
 }
 
 /// Reads a protocol from text; `name` stands for the file in messages.
@@ -50,10 +52,7 @@ pub fn read(path: &Path) -> Result<OwnProtocol> {
 /// As for [`read`].
 pub fn parse(name: &str, text: &str) -> Result<OwnProtocol> {
     let source = Source { name, text };
-    let doc: Document = toml::from_str(text).map_err(|e| {
-        let at = e.span().unwrap_or(0..0);
-        source.error(&at, e.message().trim_end())
-    })?;
+    let (doc, _): (Document, _) = document(&source)?;
     let count = *doc.drones.get_ref();
     if !(1..=MOST).contains(&count) {
         let message = format!("drones: `{count}`: expected a number from 1 to {MOST}");

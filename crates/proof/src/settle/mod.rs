@@ -6,6 +6,7 @@
 
 mod execute;
 mod power;
+mod stays;
 
 use cordon_spec::placement::{contraction_weight, scaled_error};
 use cordon_spec::{Params, Scalar};
@@ -18,6 +19,7 @@ use cordon_core::{Error, Rational, Result};
 use cordon_run::fast::{Line, engine, within};
 use execute::settling_step;
 use power::{Rounding, least_power_at_most};
+use stays::Stays;
 
 /// Which runs are meant.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -71,6 +73,10 @@ pub enum Settling {
         /// The true step.
         observed: Observed,
     },
+    /// No contraction, and within the distance for ever from this step on all the same.
+    Stays(u64),
+    /// The run from the one start is outside the distance again and again.
+    NeverFromThisStart,
     /// Some run does not converge: |A| w >= w for this positive w.
     NotFromEveryStart(Perron),
     /// The weight is too near the critical one for the precision tried.
@@ -89,6 +95,9 @@ const MOST_EXACT_WORK: u64 = 5_000_000;
 /// Bits after the point of the enclosures.
 const BITS: u32 = 256;
 
+/// Bits after the point of the finer ones: distances down to 10^-600.
+const FINE_BITS: u32 = 2048;
+
 /// When the runs are within `within` of the targets for good, at weight `eps`.
 ///
 /// # Errors
@@ -103,7 +112,11 @@ pub fn settling(starts: &Starts, eps: &Rational, within: &Rational) -> Result<Se
             return Ok(Settling::Undecided);
         };
         if vector.factor_below(eps) >= Rational::one() {
-            return Ok(Settling::NotFromEveryStart(vector));
+            return Ok(match stays::decide(&runs, within) {
+                Some(Stays::From(step)) => Settling::Stays(step),
+                Some(Stays::Never) if !runs.every => Settling::NeverFromThisStart,
+                _ => Settling::NotFromEveryStart(vector),
+            });
         }
         let rate = vector.factor_above(eps);
         if rate >= Rational::one() {
@@ -275,13 +288,17 @@ impl Runs {
         if not_before > budget {
             return None;
         }
-        settling_step(start, &self.eps, within, vector, budget, Enclosure::<BITS>::of).or_else(
-            || {
+        settling_step(start, &self.eps, within, vector, budget, Enclosure::<BITS>::of)
+            .or_else(|| {
+                // Distances that the usual enclosures cannot resolve.
+                let steps = budget / u64::from(FINE_BITS / BITS);
+                settling_step(start, &self.eps, within, vector, steps, Enclosure::<FINE_BITS>::of)
+            })
+            .or_else(|| {
                 // N k^2 at most the limit.
                 let steps = (MOST_EXACT_WORK / self.count as u64).isqrt();
                 settling_step(start, &self.eps, within, vector, steps, Rational::clone)
-            },
-        )
+            })
     }
 }
 

@@ -4,14 +4,16 @@ use std::path::{Path, PathBuf};
 
 use super::config::{Config, Item};
 use super::finding::Finding;
-use super::store::{Header, Shard, belongs, difference, read};
+use super::run::{Progress, run};
+use super::store::{Header, Shard, belongs, consistent, difference, read};
+use cordon_core::random::SplitMix;
 use cordon_core::{Error, Result};
 
 /// The whole sweep whose parts these files hold, item by item.
 ///
 /// # Errors
 /// A file that cannot be read or is damaged, files of different configurations, a work item
-/// that no file or more than one file holds.
+/// that no file or more than one file holds, a line that contradicts its sweep or itself.
 pub fn merge(paths: &[PathBuf]) -> Result<(Config, Vec<Finding>)> {
     let mut parts = Vec::new();
     for path in paths {
@@ -36,8 +38,12 @@ pub fn merge(paths: &[PathBuf]) -> Result<(Config, Vec<Finding>)> {
     let items = config.items()?;
     let mut slots: Vec<Option<(&Path, Finding)>> = vec![None; items.len()];
     for (path, part) in parts {
-        for finding in part.findings {
+        for (i, finding) in part.findings.into_iter().enumerate() {
+            let number = finding.item;
             place(path, finding, &items, &mut slots)?;
+            if let (Some(item), Some(Some((_, finding)))) = (items.get(number), slots.get(number)) {
+                consistent(path, i + 2, &config, item, finding)?;
+            }
         }
     }
     let missing: Vec<usize> = (0..slots.len()).filter(|i| slots[*i].is_none()).collect();
@@ -50,6 +56,36 @@ pub fn merge(paths: &[PathBuf]) -> Result<(Config, Vec<Finding>)> {
         )));
     }
     Ok((config, slots.into_iter().flatten().map(|(_, finding)| finding).collect()))
+}
+
+/// Computes `count` of the findings anew, drawn with a seed, and compares. Answers with the work
+/// items that were drawn, ascending.
+///
+/// # Errors
+/// A finding is another one than this program finds.
+pub fn audit(config: &Config, findings: &[Finding], count: usize, seed: u64) -> Result<Vec<usize>> {
+    let items = config.items()?;
+    let mut random = SplitMix::new(seed);
+    let mut left: Vec<usize> = (0..findings.len()).collect();
+    let mut drawn = Vec::new();
+    while drawn.len() < count && !left.is_empty() {
+        let place = random.below(left.len() as u64);
+        drawn.push(left.swap_remove(usize::try_from(place).unwrap_or_default()));
+    }
+    drawn.sort_unstable();
+    let chosen: Vec<Item> = drawn.iter().filter_map(|&i| items.get(i).cloned()).collect();
+    run(config, &chosen, 0, &Progress::default(), |found| match findings.get(found.item) {
+        Some(recorded) if *recorded == found => Ok(()),
+        _ => Err(Error::input(format!(
+            "audit: work item {}{}: this program finds something else: expected {} of {} cases violated, {} of them not vacuous",
+            found.item,
+            items.get(found.item).map_or_else(String::new, described),
+            found.counts.violations,
+            found.counts.cases,
+            found.counts.non_vacuous
+        ))),
+    })?;
+    Ok(drawn)
 }
 
 fn place<'p>(

@@ -13,6 +13,7 @@
 
 pub mod complete;
 pub mod config;
+mod consistent;
 pub mod exhaust;
 pub mod finding;
 pub mod grid;

@@ -158,7 +158,7 @@ fn find(config: &Config, item: &Item, progress: &Progress) -> Result<Finding> {
 }
 
 /// The grid of a work item.
-fn grid(item: &Item, resolution: u32) -> Result<Grid> {
+pub(super) fn grid(item: &Item, resolution: u32) -> Result<Grid> {
     let starts = starts(item);
     Grid::new(starts, item.drones, resolution).ok_or_else(|| {
         Error::input(format!("grid: `{resolution}`: the segment leaves the range of 64 bits"))
@@ -171,7 +171,7 @@ pub fn starts(item: &Item) -> StartSet {
 }
 
 /// Drone updates of one start, mirror images included.
-fn per_start(config: &Config, item: &Item) -> u64 {
+pub(super) fn per_start(config: &Config, item: &Item) -> u64 {
     (item.drones * (config.steps + item.theorem.span(item.form, item.drones))) as u64
 }
 
@@ -179,7 +179,7 @@ fn finding(item: &Item, evidence: Evidence, grid: &Grid, tally: &Tally) -> Resul
     let undecided = tally.counts.undecided > 0;
     let counterexample = tally.counterexample(item);
     if counterexample.is_none() && tally.first.is_some() {
-        return Err(Error::input(format!(
+        return Err(Error::internal(format!(
             "work item {}: the spec does not confirm the violation that the sweep found",
             item.number
         )));

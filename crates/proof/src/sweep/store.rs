@@ -11,8 +11,10 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::config::{Config, Item};
+use super::consistent::contradiction;
 use super::finding::Finding;
-use cordon_core::{Error, Result, files};
+use cordon_core::files::{self, Limit};
+use cordon_core::{Error, Result};
 
 /// Name and version of the file format.
 pub const SCHEMA: &str = "cordon-sweep/1";
@@ -88,7 +90,7 @@ pub struct Read {
 /// The file cannot be read, does not begin with a whole header of this format, or has a bad
 /// line.
 pub fn read(path: &Path) -> Result<Read> {
-    let bytes = std::fs::read(path).map_err(|e| Error::file("read", path, e))?;
+    let bytes = files::read(path, Limit::SWEEP)?;
     let bad = |line: usize, why: String| {
         Error::input(format!("`{}`, line {line}: {why}", path.display()))
     };
@@ -132,6 +134,7 @@ impl Store {
     /// The file holds another sweep or is damaged, or cannot be read or written.
     pub fn open(path: &Path, header: &Header, items: &[Item]) -> Result<(Self, Vec<Finding>)> {
         let begun = match std::fs::metadata(path) {
+            Ok(meta) if !meta.is_file() => return Self::through(path, header),
             Ok(meta) => meta.len() > 0,
             Err(e) if e.kind() == std::io::ErrorKind::NotFound => false,
             Err(e) => return Err(Error::file("read", path, e)),
@@ -139,7 +142,7 @@ impl Store {
         let (findings, whole) = if begun {
             let old = read(path)?;
             same(path, header, &old.header)?;
-            in_order(path, &old.findings, items)?;
+            in_order(path, &header.config, &old.findings, items)?;
             (old.findings, old.whole)
         } else {
             let line = line_of(header)?;
@@ -151,6 +154,14 @@ impl Store {
         file.set_len(whole).map_err(fail)?;
         file.seek(SeekFrom::End(0)).map_err(fail)?;
         Ok((Self { path: path.to_owned(), file }, findings))
+    }
+
+    /// A pipe or a device: written through, and never read again.
+    fn through(path: &Path, header: &Header) -> Result<(Self, Vec<Finding>)> {
+        let fail = |e| Error::file("write", path, e);
+        let mut file = OpenOptions::new().write(true).open(path).map_err(fail)?;
+        file.write_all(line_of(header)?.as_bytes()).map_err(fail)?;
+        Ok((Self { path: path.to_owned(), file }, Vec::new()))
     }
 
     /// Adds a finding, as one write.
@@ -167,7 +178,11 @@ impl Store {
     /// # Errors
     /// The file cannot be written.
     pub fn finish(self) -> Result<()> {
-        self.file.sync_all().map_err(|e| Error::file("write", &self.path, e))
+        match self.file.sync_all() {
+            // What is no regular file may have nothing to wait for.
+            Err(_) if !files::is_regular(&self.path) => Ok(()),
+            ended => ended.map_err(|e| Error::file("write", &self.path, e)),
+        }
     }
 }
 
@@ -208,8 +223,8 @@ pub fn difference(a: &Header, b: &Header) -> Result<Option<(String, String, Stri
     Ok(differs.map(|((name, here), (_, there))| (name, there, here)))
 }
 
-/// Refuses findings that are not those of the first items, in order.
-fn in_order(path: &Path, findings: &[Finding], items: &[Item]) -> Result<()> {
+/// Refuses findings that are not those of the first items, in order, or cannot be so.
+fn in_order(path: &Path, config: &Config, findings: &[Finding], items: &[Item]) -> Result<()> {
     for (i, finding) in findings.iter().enumerate() {
         let expected = items.get(i);
         if !expected.is_some_and(|item| belongs(finding, item)) {
@@ -221,8 +236,25 @@ fn in_order(path: &Path, findings: &[Finding], items: &[Item]) -> Result<()> {
                 expected.map_or("no more".to_owned(), |item| format!("item {}", item.number)),
             )));
         }
+        if let Some(item) = expected {
+            consistent(path, i + 2, config, item, finding)?;
+        }
     }
     Ok(())
+}
+
+/// Refuses a line that contradicts its sweep or itself.
+pub(super) fn consistent(
+    path: &Path,
+    line: usize,
+    config: &Config,
+    item: &Item,
+    finding: &Finding,
+) -> Result<()> {
+    match contradiction(config, item, finding)? {
+        None => Ok(()),
+        Some(why) => Err(Error::input(format!("`{}`, line {line}: {why}", path.display()))),
+    }
 }
 
 /// Whether a finding is about this item.

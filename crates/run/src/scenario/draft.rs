@@ -2,7 +2,7 @@
 
 use cordon_spec::Phase;
 
-use super::{Flight, MAX_DRONES, MIN_DRONES, Protocol, Scenario, Topology};
+use super::{Flight, MAX_DRONES, MIN_DRONES, Places, Protocol, Scenario, Topology};
 use cordon_core::exact::Rational;
 use cordon_core::{Error, Result};
 
@@ -49,6 +49,8 @@ pub struct Draft {
     pub displacement: Option<Vec<Rational>>,
     /// The drones' bodies, for co-simulation.
     pub flight: Flight,
+    /// Where the fields stand.
+    pub places: Places,
 }
 
 /// Protocol steps of a trace that nobody asked a number of.
@@ -57,7 +59,16 @@ const DEFAULT_STEPS: u64 = 20;
 impl Draft {
     /// This draft, with every field that `other` says taken from `other`.
     #[must_use]
-    pub fn replaced_by(self, other: Self) -> Self {
+    pub fn replaced_by(mut self, other: Self) -> Self {
+        for (field, given) in other.given() {
+            if given {
+                self.places.replaced(field);
+            }
+        }
+        // A graph is said by its name or by its edges, not by both.
+        if other.graph.is_some() || other.edges.is_some() {
+            (self.graph, self.edges) = (None, None);
+        }
         Self {
             title: other.title.or(self.title),
             protocol: other.protocol.or(self.protocol),
@@ -74,7 +85,31 @@ impl Draft {
             edges: other.edges.or(self.edges),
             displacement: other.displacement.or(self.displacement),
             flight: self.flight.replaced_by(other.flight),
+            places: self.places,
         }
+    }
+
+    /// The fields by the names in messages, and whether they are given.
+    fn given(&self) -> [(&'static str, bool); 16] {
+        let flight = &self.flight;
+        [
+            ("protocol", self.protocol.is_some()),
+            ("min", self.min.is_some()),
+            ("max", self.max.is_some()),
+            ("drones", self.drones.is_some()),
+            ("start", self.start.is_some()),
+            ("spread_to", self.start.is_some()),
+            ("weight", self.weight.is_some()),
+            ("period", self.period.is_some()),
+            ("phase", self.phase.is_some()),
+            ("tau", self.tau.is_some()),
+            ("graph", self.graph.is_some() || self.edges.is_some()),
+            ("duration", flight.duration.is_some()),
+            ("integrator", flight.integrator.is_some()),
+            ("master", flight.master.is_some()),
+            ("exchange", flight.exchange.is_some()),
+            ("seed", flight.seed.is_some()),
+        ]
     }
 
     /// The checked scenario.
@@ -82,6 +117,11 @@ impl Draft {
     /// # Errors
     /// A missing, contradictory or senseless field, by name.
     pub fn finish(self) -> Result<Scenario> {
+        let places = self.places.clone();
+        self.checked().map_err(|e| places.point(e))
+    }
+
+    fn checked(self) -> Result<Scenario> {
         let protocol = self.protocol.as_deref().unwrap_or("coverage");
         let start = self.positions()?;
         let count = start.len();
@@ -199,9 +239,13 @@ impl Draft {
     fn refuse_fields_foreign_to(&self, protocol: &Protocol) -> Result<()> {
         let name = protocol.name();
         let coverage = matches!(protocol, Protocol::Coverage { .. });
+        // Drones that are spread out are spread from min, and the last one is at max.
+        let spread = matches!(self.start, Some(Start::SpreadTo(_)));
         let foreign = [
             ("graph", coverage && (self.graph.is_some() || self.edges.is_some())),
             ("displacement", self.displacement.is_some() && name != "formation"),
+            ("min", !coverage && self.min.is_some() && !spread),
+            ("max", !coverage && self.max.is_some() && !spread),
         ];
         for (field, is_foreign) in foreign {
             if is_foreign {

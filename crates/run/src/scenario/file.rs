@@ -7,10 +7,12 @@ use cordon_spec::Phase;
 use serde::Deserialize;
 use toml::{Spanned, Value};
 
+use super::document::document;
 use super::flight_file::{self, FaultTable, FlightTable, UnitTable};
-use super::{Draft, Start};
+use super::{Draft, Places, Start};
 use cordon_core::exact::{self, Rational};
-use cordon_core::{Error, Result, files};
+use cordon_core::files::{self, Limit};
+use cordon_core::{Error, Result};
 
 /// A scenario file as written. Numbers keep their place, so that they can be read exactly
 /// from the text (`0.2` is 1/5) and errors can point at them.
@@ -46,7 +48,7 @@ struct Document {
 /// The file cannot be read; it is no TOML, has an unknown key or a value of the wrong kind: the
 /// message has file, line and column.
 pub fn read(path: &Path) -> Result<Draft> {
-    parse(&path.display().to_string(), &files::read_text(path)?)
+    parse(&path.display().to_string(), &files::read_text(path, Limit::SCENARIO)?)
 }
 
 /// Reads a scenario from text; `name` stands for the file in messages.
@@ -55,10 +57,7 @@ pub fn read(path: &Path) -> Result<Draft> {
 /// As [`read`], for the text.
 pub fn parse(name: &str, text: &str) -> Result<Draft> {
     let source = Source { name, text };
-    let doc: Document = toml::from_str(text).map_err(|e| {
-        let at = e.span().unwrap_or(0..0);
-        source.error(&at, e.message().trim_end())
-    })?;
+    let (doc, places): (Document, Places) = document(&source)?;
     let number = |field: &str, value: Option<Spanned<Value>>| {
         value.map(|v| source.number(field, &v)).transpose()
     };
@@ -94,6 +93,7 @@ pub fn parse(name: &str, text: &str) -> Result<Draft> {
         edges,
         displacement: numbers("displacement", doc.displacement)?,
         flight: flight_file::flight(&source, doc.flight, &doc.fault, doc.unit)?,
+        places,
     })
 }
 
@@ -111,10 +111,15 @@ pub type GraphFields = (Option<String>, Option<Vec<(usize, usize)>>);
 impl Source<'_> {
     /// An error that points at a place of the text, by line and column.
     pub fn error(&self, at: &Range<usize>, message: &str) -> Error {
-        let before = self.text.get(..at.start).unwrap_or_default();
-        let line = before.matches('\n').count() + 1;
-        let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
+        let (line, column) = self.place(at.start);
         Error::input(format!("{}:{line}:{column}: {message}", self.name))
+    }
+
+    /// Line and column of a byte of the text, from 1 on.
+    pub(super) fn place(&self, at: usize) -> (usize, usize) {
+        let before = self.text.get(..at).unwrap_or_default();
+        let line = before.matches('\n').count() + 1;
+        (line, before.rsplit('\n').next().unwrap_or_default().chars().count() + 1)
     }
 
     /// A number of the file, read exactly: an integer, a decimal or a fraction in quotes.

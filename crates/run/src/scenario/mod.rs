@@ -3,11 +3,13 @@
 //! A scenario comes from a TOML file ([`mod@file`]), from flags, or from a file with flags in its
 //! place ([`Draft`]); [`Draft::finish`] is the one place that checks it.
 
+pub mod document;
 mod draft;
 pub mod file;
 mod flight;
 mod flight_file;
 mod graph;
+mod places;
 
 use cordon_spec::theorems::Setting;
 use cordon_spec::{Params, Phase, State};
@@ -16,6 +18,7 @@ pub use draft::{Draft, Start};
 pub use file::{parse, read};
 pub use flight::{Fault, FaultKind, Flight, Substitute, UnitName};
 pub use graph::Topology;
+pub use places::Places;
 
 use cordon_core::Rational;
 

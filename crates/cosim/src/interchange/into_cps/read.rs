@@ -34,7 +34,7 @@ pub fn is_multi_model(path: &Path) -> bool {
 /// The file or one of its FMUs cannot be read, or it is not the multi-model of a swarm: the
 /// message names the file and what does not fit.
 pub fn read(path: &Path) -> Result<Draft> {
-    let text = files::read_text(path)?;
+    let text = files::read_text(path, files::Limit::MULTI_MODEL)?;
     let named = |e: Error| match e {
         Error::Input(what) => Error::input(format!("{}: {what}", path.display())),
         e => e,

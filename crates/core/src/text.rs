@@ -1,0 +1,96 @@
+//! Text at the edge: what a user gave, shown so that it does no harm.
+
+use std::borrow::Cow;
+use std::io::{self, Write};
+
+/// What stands in the place of a control character.
+const REPLACEMENT: char = char::REPLACEMENT_CHARACTER;
+
+fn harmful(c: char) -> bool {
+    c.is_control() && !matches!(c, '\n' | '\t')
+}
+
+/// The text without control characters, which steer terminals and are no XML: each becomes
+/// U+FFFD. Line ends and tabs stay.
+pub fn printable(text: &str) -> Cow<'_, str> {
+    if text.chars().any(harmful) {
+        text.chars().map(|c| if harmful(c) { REPLACEMENT } else { c }).collect::<String>().into()
+    } else {
+        text.into()
+    }
+}
+
+/// The text in one line: as [`printable`], and line ends and tabs become spaces.
+pub fn one_line(text: &str) -> String {
+    let spaced = |c| if matches!(c, '\n' | '\t') { ' ' } else { c };
+    printable(text).chars().map(spaced).collect()
+}
+
+/// The first `most` characters, with `...` where there were more.
+pub fn cut(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some((end, _)) => format!("{}...", text.get(..end).unwrap_or_default()),
+        None => text.to_owned(),
+    }
+}
+
+/// The text as one word of a shell's command line.
+pub fn shell_word(text: &str) -> Cow<'_, str> {
+    let safe = |c: char| c.is_ascii_alphanumeric() || "-_./,:=@%+".contains(c);
+    if !text.is_empty() && text.chars().all(safe) {
+        text.into()
+    } else {
+        format!("'{}'", text.replace('\'', r"'\''")).into()
+    }
+}
+
+/// A writer of text that passes everything but control characters ([`printable`]).
+#[derive(Debug)]
+pub struct Printable<W>(pub W);
+
+impl<W: Write> Write for Printable<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.write_all(bytes)?;
+        Ok(bytes.len())
+    }
+
+    fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
+        // Text comes in whole characters; other bytes are no text, and pass.
+        match std::str::from_utf8(bytes) {
+            Ok(text) => self.0.write_all(printable(text).as_bytes()),
+            Err(_) => self.0.write_all(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn control_characters_are_replaced() {
+        assert_eq!(
+            printable("a\u{1b}[31mb\u{9b}c\u{7f}\r\n\t"),
+            "a\u{fffd}[31mb\u{fffd}c\u{fffd}\u{fffd}\n\t"
+        );
+        assert!(matches!(printable("plain, naïve\n"), Cow::Borrowed(_)));
+        assert_eq!(one_line("a\nb\u{1}"), "a b\u{fffd}");
+        let mut out = Printable(Vec::new());
+        write!(out, "x\u{1b}{}", "y\u{7}").unwrap();
+        assert_eq!(out.0, "x\u{fffd}y\u{fffd}".as_bytes());
+    }
+
+    #[test]
+    fn words_for_the_shell() {
+        assert_eq!(shell_word("a/b-c.toml"), "a/b-c.toml");
+        assert_eq!(shell_word("it's a file"), r"'it'\''s a file'");
+        assert_eq!(shell_word(""), "''");
+        assert_eq!(cut("abcdef", 3), "abc...");
+        assert_eq!(cut("abc", 3), "abc");
+    }
+}

@@ -1,0 +1,130 @@
+//! TOML as Cordon reads it: numbers of any size exactly, errors with line, column and field.
+
+use std::ops::Range;
+
+use num_bigint::BigInt;
+use serde::de::DeserializeOwned;
+use toml::Deserializer;
+use toml::de::{DeTable, DeValue};
+
+use super::Places;
+use super::file::Source;
+use cordon_core::Result;
+
+/// Reads a document into the fields of `T`; says too where its fields stand.
+///
+/// Integers beyond 64 bits and decimals beyond doubles come as strings of their digits: what
+/// reads numbers exactly takes both.
+///
+/// # Errors
+/// No TOML, a key that `T` does not know, a value of another kind: with file, line, column and
+/// field.
+pub fn document<T: DeserializeOwned>(source: &Source<'_>) -> Result<(T, Places)> {
+    let read = |e: toml::de::Error| {
+        source.error(&e.span().unwrap_or(0..0), &plain(e.message().trim_end()))
+    };
+    let mut table = DeTable::parse(source.text).map_err(read)?;
+    let places = places(table.get_ref());
+    table.get_mut().iter_mut().for_each(|(_, value)| keep_digits(value.get_mut()));
+    let read = T::deserialize(Deserializer::from(table)).map_err(|e| {
+        let at = e.span().unwrap_or(0..0);
+        let message = plain(e.message().trim_end());
+        // The innermost field around the place of the error.
+        let field =
+            places.iter().rev().find(|(_, span)| span.start <= at.start && at.end <= span.end);
+        match field {
+            Some((name, _)) => source.error(&at, &format!("{name}: {message}")),
+            None => source.error(&at, &message),
+        }
+    })?;
+    let lines = places.into_iter().map(|(name, at)| (name, source.place(at.start)));
+    Ok((read, Places::of(source.name, lines)))
+}
+
+/// Numbers that no machine type holds become strings of their digits.
+fn keep_digits(value: &mut DeValue<'_>) {
+    match value {
+        DeValue::Integer(n) if i64::from_str_radix(n.as_str(), n.radix()).is_err() => {
+            if let Some(n) = BigInt::parse_bytes(n.as_str().as_bytes(), n.radix()) {
+                *value = DeValue::String(n.to_string().into());
+            }
+        }
+        DeValue::Float(x) if x.as_str().parse::<f64>().is_ok_and(f64::is_infinite) => {
+            if !x.as_str().contains("inf") {
+                *value = DeValue::String(x.as_str().to_owned().into());
+            }
+        }
+        DeValue::Array(list) => list.iter_mut().for_each(|v| keep_digits(v.get_mut())),
+        DeValue::Table(table) => table.iter_mut().for_each(|(_, v)| keep_digits(v.get_mut())),
+        _ => {}
+    }
+}
+
+/// The values' fields, by name from the root, each before those inside it.
+fn places(table: &DeTable<'_>) -> Vec<(String, Range<usize>)> {
+    let mut found = Vec::new();
+    within("", table, &mut found);
+    found
+}
+
+fn within(prefix: &str, table: &DeTable<'_>, found: &mut Vec<(String, Range<usize>)>) {
+    for (key, value) in table {
+        inside(&format!("{prefix}{}", key.get_ref()), value.span(), value.get_ref(), found);
+    }
+}
+
+fn inside(
+    name: &str,
+    span: Range<usize>,
+    value: &DeValue<'_>,
+    found: &mut Vec<(String, Range<usize>)>,
+) {
+    found.push((name.to_owned(), span));
+    match value {
+        DeValue::Table(table) => within(&format!("{name}."), table, found),
+        // Tables in lists have fields of their own; numbers in lists go by the list's name.
+        DeValue::Array(list) => {
+            for value in list.iter().filter(|v| v.get_ref().is_table()) {
+                inside(name, value.span(), value.get_ref(), found);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The TOML library's messages in the user's words: no type of Rust, lower case, given before
+/// expected.
+fn plain(message: &str) -> String {
+    let message = message.lines().next().unwrap_or_default();
+    let (given, expected) = match message.split_once(", expected ") {
+        Some((given, expected)) => (given, Some(expected)),
+        None => (message, None),
+    };
+    let given = given
+        .strip_prefix("invalid type: ")
+        .or_else(|| given.strip_prefix("invalid value: "))
+        .map_or_else(|| given.to_owned(), |g| format!("`{}`", shown(g)));
+    match expected {
+        Some(expected) => format!("{given}: expected {}", kind(expected)),
+        None => given,
+    }
+}
+
+/// The given value alone, without the kind before it; long ones cut.
+fn shown(given: &str) -> String {
+    let value = given.split_once(' ').map_or(given, |(_, value)| value);
+    cordon_core::text::cut(value.trim_matches(['`', '"']), 40)
+}
+
+fn kind(expected: &str) -> &str {
+    match expected {
+        "u8" | "u16" | "u32" | "u64" | "usize" => "a whole number",
+        "i64" | "i128" | "f64" => "a number",
+        "a string" => "a text in quotes",
+        "a boolean" => "true or false",
+        "a sequence" => "a list",
+        "a map" => "a table",
+        "a tuple of size 2" => "a pair of whole numbers",
+        other => other,
+    }
+}

@@ -1,0 +1,50 @@
+//! Where the fields of a scenario stand, for errors that are found after reading.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use cordon_core::Error;
+
+/// The place of each field that was given in a file, by the field's name, and the fields that
+/// flags have replaced.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Places {
+    file: Option<String>,
+    fields: BTreeMap<String, (usize, usize)>,
+    replaced: BTreeSet<String>,
+}
+
+impl Places {
+    /// The places in a file, which messages call by this name.
+    pub fn of(file: &str, fields: impl IntoIterator<Item = (String, (usize, usize))>) -> Self {
+        // Of a field that occurs again, in a list of tables, the first place stays.
+        let mut found = BTreeMap::new();
+        for (name, place) in fields {
+            let own = name.rsplit('.').next().unwrap_or_default().to_owned();
+            found.entry(own).or_insert(place);
+            found.entry(name).or_insert(place);
+        }
+        Self { file: Some(file.to_owned()), fields: found, replaced: BTreeSet::new() }
+    }
+
+    /// Forgets a field of the file: a flag stands in its place.
+    pub fn replaced(&mut self, field: &str) {
+        self.fields.remove(field);
+        self.replaced.insert(field.to_owned());
+    }
+
+    /// The error with its place. The message of bad input begins with the field that it is
+    /// about, then a colon.
+    #[must_use]
+    pub fn point(&self, error: Error) -> Error {
+        let (Some(file), Error::Input(message)) = (&self.file, &error) else { return error };
+        if message.starts_with(file.as_str()) {
+            return error;
+        }
+        let field = message.split([':', ' ']).next().unwrap_or_default();
+        match self.fields.get(field).or_else(|| self.fields.get(&format!("flight.{field}"))) {
+            Some((line, column)) => Error::input(format!("{file}:{line}:{column}: {message}")),
+            None if self.replaced.contains(field) => error,
+            None => Error::input(format!("{file}: {message}")),
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! What holds for the files and messages of every command, whichever it is.
+
+use std::path::{Path, PathBuf};
+
+use clap::ArgMatches;
+use clap::parser::ValueSource;
+
+use cordon_core::{Error, Result, files};
+
+/// The command that was called, and what it was given.
+pub struct Call<'a> {
+    command: &'a clap::Command,
+    matches: &'a ArgMatches,
+}
+
+impl<'a> Call<'a> {
+    /// The innermost subcommand of a call.
+    pub fn of(mut command: &'a clap::Command, mut matches: &'a ArgMatches) -> Self {
+        while let Some((name, inner)) = matches.subcommand() {
+            let Some(sub) = command.find_subcommand(name) else { break };
+            (command, matches) = (sub, inner);
+        }
+        Self { command, matches }
+    }
+
+    /// Looks at `--out` before any work is done. Answers whether the file goes to stdout, where
+    /// nothing else may go then.
+    ///
+    /// # Errors
+    /// It is one of the inputs, it is read-only, or a folder is wanted and `-` given.
+    pub fn output(&self) -> Result<bool> {
+        let Some(out) = self.paths("out").into_iter().next() else { return Ok(false) };
+        let input = self.inputs().into_iter().find(|input| files::same(input, out));
+        if let Some(input) = input {
+            return Err(Error::input(format!(
+                "out: `{}`: expected another file than the input `{}`",
+                out.display(),
+                input.display()
+            )));
+        }
+        if self.out_is_folder() {
+            if out == Path::new(files::STREAM) {
+                return Err(Error::input("out: `-`: expected a folder"));
+            }
+            return Ok(false);
+        }
+        files::expect_writable(out)?;
+        Ok(files::is_stdout(out))
+    }
+
+    /// The error in terms of the command line: a message that begins with the name of a flag
+    /// that was given is about that flag.
+    pub fn blame(&self, error: Error) -> Error {
+        let Error::Input(message) = &error else { return error };
+        let field = message.split([':', ' ']).next().unwrap_or_default();
+        let id = field.replace('-', "_");
+        let is_flag =
+            self.command.get_arguments().any(|a| a.get_id() == id.as_str() && !a.is_positional());
+        let given = is_flag && self.matches.value_source(&id) == Some(ValueSource::CommandLine);
+        if given {
+            let rest = message.get(field.len()..).unwrap_or_default();
+            Error::input(format!("--{}{rest}", id.replace('_', "-")))
+        } else {
+            error
+        }
+    }
+
+    fn out_is_folder(&self) -> bool {
+        let out = self.command.get_arguments().find(|a| a.get_id() == "out");
+        let names = out.and_then(|a| a.get_value_names()).unwrap_or_default();
+        names.iter().any(|n| n.as_str() == "DIR")
+    }
+
+    fn paths(&self, id: &str) -> Vec<&'a PathBuf> {
+        let paths = self.matches.try_get_many::<PathBuf>(id);
+        paths.ok().flatten().map(Iterator::collect).unwrap_or_default()
+    }
+
+    fn inputs(&self) -> Vec<&'a PathBuf> {
+        let ids = self.command.get_arguments().map(|a| a.get_id().as_str());
+        ids.filter(|id| *id != "out").flat_map(|id| self.paths(id)).collect()
+    }
+}

@@ -1,0 +1,250 @@
+//! Files as users have them: links, pipes, read-only ones, huge ones, with marks and control
+//! characters inside.
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use crate::common::{cordon, run};
+use tempfile::TempDir;
+
+struct Folder(TempDir);
+
+impl Folder {
+    fn new() -> Self {
+        Self(tempfile::tempdir().unwrap())
+    }
+
+    fn at(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn with(&self, name: &str, content: impl AsRef<[u8]>) -> String {
+        let path = self.at(name);
+        fs::write(&path, content).unwrap();
+        path.display().to_string()
+    }
+
+    fn name(&self, name: &str) -> String {
+        self.at(name).display().to_string()
+    }
+}
+
+fn export(out: &str) -> (i32, String, String) {
+    run(&["export", "smt2", "7.2", "--drones", "3", "--out", out])
+}
+
+fn exported() -> String {
+    run(&["export", "smt2", "7.2", "--drones", "3"]).1
+}
+
+#[cfg(unix)]
+fn mode(path: &Path) -> u32 {
+    use std::os::unix::fs::PermissionsExt;
+    fs::metadata(path).unwrap().permissions().mode() & 0o777
+}
+
+#[cfg(unix)]
+fn set_mode(path: &Path, mode: u32) {
+    use std::os::unix::fs::PermissionsExt;
+    fs::set_permissions(path, fs::Permissions::from_mode(mode)).unwrap();
+}
+
+#[cfg(unix)]
+#[test]
+fn links_are_followed_and_modes_kept() {
+    let folder = Folder::new();
+    fs::create_dir(folder.at("sub")).unwrap();
+    std::os::unix::fs::symlink("sub/real", folder.at("link")).unwrap();
+    std::os::unix::fs::symlink("link", folder.at("link-to-link")).unwrap();
+    // The end of the links need not exist.
+    assert_eq!(export(&folder.name("link-to-link")).0, 0);
+    assert_eq!(fs::read_to_string(folder.at("sub/real")).unwrap(), exported());
+    set_mode(&folder.at("sub/real"), 0o600);
+    fs::write(folder.at("sub/real"), "old").unwrap();
+    assert_eq!(export(&folder.name("link")).0, 0);
+    assert_eq!(fs::read_to_string(folder.at("sub/real")).unwrap(), exported());
+    assert_eq!(mode(&folder.at("sub/real")), 0o600);
+    assert!(fs::symlink_metadata(folder.at("link")).unwrap().is_symlink());
+    std::os::unix::fs::symlink("round", folder.at("round")).unwrap();
+    assert_eq!(export(&folder.name("round")).0, 74);
+    assert_eq!(fs::read_dir(folder.0.path()).unwrap().count(), 4, "nothing temporary is left");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_read_only_file_is_refused_before_any_work() {
+    let folder = Folder::new();
+    let out = folder.with("kept", "old");
+    set_mode(&folder.at("kept"), 0o444);
+    let (code, printed, err) = export(&out);
+    assert_eq!((code, printed.as_str()), (74, ""));
+    assert!(err.contains("cannot write") && err.contains("read-only"), "{err}");
+    assert_eq!(fs::read_to_string(&out).unwrap(), "old");
+    let (code, ..) = run(&["sweep", "7.2", "--drones", "3", "--out", &out]);
+    assert_eq!(code, 74);
+    set_mode(&folder.at("kept"), 0o644);
+    assert_eq!(export(&out).0, 0);
+}
+
+#[cfg(unix)]
+#[test]
+fn pipes_and_devices_are_written_through() {
+    let folder = Folder::new();
+    let pipe = folder.name("pipe");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let reader = {
+        let pipe = pipe.clone();
+        std::thread::spawn(move || fs::read_to_string(pipe).unwrap())
+    };
+    assert_eq!(export(&pipe).0, 0);
+    assert_eq!(reader.join().unwrap(), exported());
+    assert!(!fs::symlink_metadata(&pipe).unwrap().is_file());
+    assert_eq!(export("/dev/null").0, 0);
+    assert!(!fs::metadata("/dev/null").unwrap().is_file());
+    assert_eq!(export("/dev/full").0, 74);
+}
+
+#[test]
+fn stdout_is_a_dash_and_carries_the_file_alone() {
+    let whole = run(&["cosim", "scenarios/paper.toml", "--format", "csv"]);
+    let names = if cfg!(unix) { &["-", "/dev/stdout"][..] } else { &["-"] };
+    for name in names {
+        let (code, out, err) = run(&["cosim", "scenarios/paper.toml", "--out", name]);
+        assert_eq!((code, &out), (0, &whole.1), "{name}");
+        assert!(err.contains("the paper's coverage run"), "{err}");
+    }
+    // Redirected to a file, `/dev/stdout` is that file, and is not replaced.
+    if cfg!(unix) {
+        let folder = Folder::new();
+        let file = fs::File::create(folder.at("out.csv")).unwrap();
+        let args = ["cosim", "scenarios/paper.toml", "--out", "/dev/stdout"];
+        let mut command = std::process::Command::new(cordon().get_program());
+        command.args(args).stdout(file);
+        assert!(command.stderr(std::process::Stdio::null()).status().unwrap().success());
+        assert_eq!(fs::read_to_string(folder.at("out.csv")).unwrap(), whole.1);
+    }
+    let (code, _, err) = run(&["figures", "8", "--out", "-"]);
+    assert_eq!(code, 2);
+    assert!(err.contains("--out: `-`: expected a folder"), "{err}");
+}
+
+#[test]
+fn an_input_is_never_the_output() {
+    let folder = Folder::new();
+    let scenario = fs::read("scenarios/paper.toml").unwrap();
+    let input = folder.with("self.toml", &scenario);
+    let other = format!(
+        "{}/../{}/self.toml",
+        folder.0.path().display(),
+        folder.0.path().file_name().unwrap().to_str().unwrap()
+    );
+    let run_file = folder.name("run.csv");
+    assert_eq!(run(&["cosim", &input, "--out", &run_file]).0, 0);
+    let merged = folder.name("sweep.jsonl");
+    assert_eq!(
+        run(&[
+            "sweep", "7.2", "--form", "sharp", "--drones", "3", "--grid", "2", "--steps", "2",
+            "--out", &merged
+        ])
+        .0,
+        0
+    );
+    let calls: [&[&str]; 5] = [
+        &["cosim", &input, "--out", &input],
+        &["cosim", &input, "--out", &other],
+        &["replay", &input, "--out", &input],
+        &["replay", &run_file, "--out", &run_file],
+        &["sweep", "merge", &merged, "--out", &merged],
+    ];
+    for call in calls {
+        let (code, out, err) = run(call);
+        assert_eq!((code, out.as_str()), (2, ""), "{call:?}");
+        assert!(
+            err.contains("--out: `") && err.contains("expected another file than the input"),
+            "{err}"
+        );
+    }
+    assert_eq!(fs::read(&input).unwrap(), scenario);
+}
+
+#[test]
+fn reading_has_a_limit() {
+    let folder = Folder::new();
+    let path = folder.name("big.toml");
+    fs::File::create(&path).unwrap().set_len(200_000_000).unwrap();
+    let files = if cfg!(unix) { vec![path.as_str(), "/dev/zero"] } else { vec![path.as_str()] };
+    for file in files {
+        for (command, what) in
+            [("trace", "a scenario of at most 64 MiB"), ("prove", "a protocol of at most 4 MiB")]
+        {
+            let args: &[&str] =
+                if command == "prove" { &["prove", "--protocol", file] } else { &["trace", file] };
+            let (code, out, err) = run(args);
+            assert_eq!((code, out.as_str()), (2, ""), "{args:?}");
+            assert!(err.contains(&format!("`{file}`: expected {what}")), "{err}");
+        }
+    }
+    // What is not too large is read, from a pipe too.
+    let mut child = std::process::Command::new(cordon().get_program())
+        .args(["trace", "-", "--steps", "1"])
+        .stdin(std::process::Stdio::piped())
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(&fs::read("scenarios/paper.toml").unwrap()).unwrap();
+    assert!(child.wait_with_output().unwrap().status.success());
+}
+
+#[test]
+fn control_characters_steer_no_terminal() {
+    let folder = Folder::new();
+    let title = "title = \"x\\u0001y \\u001b[31mred\\u009b\"\nstart = [0, 10, 20, 30, 100]\nweight = \"1/5\"\nperiod = 4\ntau = \"1/20\"\n";
+    let path = folder.with("title.toml", title);
+    let clean = |text: &str| !text.chars().any(|c| c.is_control() && c != '\n');
+    let page = folder.name("page.html");
+    for (args, shows) in [
+        (vec!["trace", &path], true),
+        (vec!["cosim", &path], true),
+        (vec!["cosim", &path, "--format", "csv"], false),
+        (vec!["replay", &path, "--out", &page], false),
+    ] {
+        let (code, out, err) = run(&args);
+        assert_eq!(code, 0, "{err}");
+        assert!(clean(&out) && clean(&err), "{out}{err}");
+        assert!(!shows || out.starts_with("x\u{fffd}y \u{fffd}[31mred\u{fffd}\n"), "{out}");
+    }
+    assert!(clean(&fs::read_to_string(&page).unwrap()));
+    let (code, _, err) = run(&["trace", "no-\u{1b}[31m-such.toml"]);
+    assert_eq!(code, 74);
+    assert!(clean(&err), "{err}");
+}
+
+#[test]
+fn byte_order_marks_are_no_columns() {
+    let folder = Folder::new();
+    let (_, csv, _) = run(&["cosim", "scenarios/paper.toml", "--format", "csv"]);
+    let run_file = folder.with("run.csv", format!("\u{feff}{csv}"));
+    assert_eq!(run(&["replay", &run_file, "--out", &folder.name("page.html")]).0, 0);
+    let scenario = fs::read_to_string("scenarios/paper.toml").unwrap();
+    let marked = folder.with("marked.toml", format!("\u{feff}{scenario}"));
+    assert_eq!(run(&["trace", &marked]).0, 0);
+}
+
+#[test]
+fn numbers_of_any_size_are_read_exactly() {
+    let folder = Folder::new();
+    let large = format!("1{}", "0".repeat(309));
+    let text = format!(
+        "start = [0, 1e309, 0x{}, -0.5e-400, {large}]\nweight = 0.2\nprotocol = \"consensus\"\n",
+        "f".repeat(40)
+    );
+    let path = folder.with("large.toml", text);
+    let (code, out, err) =
+        run(&["trace", &path, "--steps", "0", "--format", "csv", "--numbers", "fraction"]);
+    assert_eq!(code, 0, "{err}");
+    let row = out.lines().last().unwrap();
+    assert!(row.contains(&format!(",{large},")), "{row}");
+    // 16^40 - 1, and 5/10^401 in lowest terms.
+    assert!(row.contains(",1461501637330902918203684832716283019655932542975,"), "{row}");
+    assert!(row.contains(&format!(",-1/2{},", "0".repeat(400))), "{row}");
+}

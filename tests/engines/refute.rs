@@ -283,7 +283,7 @@ fn mistakes_are_named() {
         assert_eq!((code, out.as_str()), (2, ""), "{args}");
         assert!(err.contains(expected), "{args}: {err}");
     }
-    assert_eq!(cases.len(), 16);
+    assert_eq!(cases.len(), 17);
 }
 
 #[test]

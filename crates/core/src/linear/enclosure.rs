@@ -86,3 +86,43 @@ impl<const BITS: u32> Ordered for Enclosure<BITS> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use cordon_spec::coverage::exec_coverage;
+    use cordon_spec::{Params, State};
+    use proptest::prelude::*;
+
+    use super::*;
+
+    const BITS: u32 = 12;
+
+    fn rational() -> impl Strategy<Value = Rational> {
+        (-1000i64..=1000, 1i64..=60).prop_map(|(p, q)| Rational::new(p.into(), q.into()))
+    }
+
+    fn runs<S: Scalar>(eps: &S, x: &[S]) -> Vec<Vec<S>> {
+        let (min, max) = (x[0].clone(), x[x.len() - 1].clone());
+        let p = Params { min, max, eps: eps.clone(), n: 0 };
+        let step = |s: &State<Vec<S>>| Some(exec_coverage(&p, s));
+        let start = State { drones: x.to_vec(), timesteps: 0 };
+        std::iter::successors(Some(start), step).take(5).map(|s| s.drones).collect()
+    }
+
+    proptest! {
+        #[test]
+        fn a_run_on_enclosures_encloses_the_exact_run(
+            eps in rational(),
+            x in prop::collection::vec(rational(), 3..8),
+        ) {
+            let of = Enclosure::<BITS>::of;
+            let wide = runs(&of(&eps), &x.iter().map(of).collect::<Vec<_>>());
+            let unit = Rational::from_integer(BigInt::from(1) << BITS);
+            for (e, x) in wide.iter().flatten().zip(runs(&eps, &x).iter().flatten()) {
+                let scaled = x * &unit;
+                let (lo, hi) = (e.lo.clone().into(), e.hi.clone().into());
+                prop_assert!(lo <= scaled && scaled <= hi, "{:?} misses {}", e, x);
+            }
+        }
+    }
+}

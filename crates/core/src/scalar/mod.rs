@@ -3,21 +3,14 @@
 //! | type | what a run on it is |
 //! |---|---|
 //! | [`crate::Rational`] | exact |
-//! | [`Fraction`] | exact in machine integers, or known to have overflowed |
 //! | [`Polynomial`] | symbolic: the transition relation itself |
 //! | [`Residue`] | exact modulo a prime: a fast cross-check |
-//! | [`Interval`] | an enclosure |
-//! | [`Float`] | rounded: a physical model's neighbour, never evidence |
+//! | [`Affine`](crate::linear::affine::Affine) | a form in the start |
+//! | [`Enclosure`](crate::linear::enclosure::Enclosure) | an enclosure in fixed point |
 
-mod float;
-mod fraction;
-mod interval;
 mod polynomial;
 mod residue;
 
-pub use float::Float;
-pub use fraction::Fraction;
-pub use interval::Interval;
 pub use polynomial::{Monomial, Polynomial};
 pub use residue::{Modulus, Residue};
 

@@ -145,7 +145,7 @@ mod tests {
         let beyond = Line::coverage(&p(ratio(3, 5)), &start).unwrap();
         assert_eq!(first_step(&beyond, &ratio(1, 10), &NumBigint), None);
         let line = Line::coverage(&p(ratio(1, 2)), &start).unwrap();
-        assert_eq!(first_step(&line, &ratio(4, 1), &NumBigint), None, "a tie at step 0");
-        assert_eq!(first_step(&line, &ratio(5, 1), &NumBigint), Some(0));
+        assert_eq!(first_step(&line, &ratio(2, 1), &NumBigint), None, "a tie at step 1");
+        assert_eq!(first_step(&line, &ratio(4, 1), &NumBigint), Some(0), "step 0 is exact");
     }
 }

@@ -6,7 +6,7 @@ use super::choice::{Choice, choice};
 use std::path::PathBuf;
 
 use cordon_core::{Error, Outcome, Result};
-use cordon_paper::figures::{FIGURES, Format};
+use cordon_paper::figures::{FIGURES, Format, drawable};
 
 /// Arguments of `cordon figures`.
 #[derive(clap::Args, Debug)]
@@ -24,6 +24,7 @@ pub struct Args {
 
 /// Runs and draws the figures, and prints the names of their files.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    drawable()?;
     let known = |n: &u32| FIGURES.iter().any(|f| f.number == *n);
     if let Some(unknown) = args.numbers.iter().find(|n| !known(n)) {
         let numbers: Vec<_> = FIGURES.iter().map(|f| f.number.to_string()).collect();

@@ -120,7 +120,7 @@ mod tests {
             let unit = Rational::from_integer(BigInt::from(1) << BITS);
             for (e, x) in wide.iter().flatten().zip(runs(&eps, &x).iter().flatten()) {
                 let scaled = x * &unit;
-                let (lo, hi) = (e.lo.clone().into(), e.hi.clone().into());
+                let [lo, hi] = [&e.lo, &e.hi].map(|end| Rational::from_integer(end.clone()));
                 prop_assert!(lo <= scaled && scaled <= hi, "{:?} misses {}", e, x);
             }
         }

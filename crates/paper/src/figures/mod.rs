@@ -1,7 +1,11 @@
 //! The paper's figures, drawn anew from co-simulated runs: 8 to 12, 15 and 16.
 
+#[cfg(feature = "figures")]
 mod draw;
+#[cfg(feature = "figures")]
 mod font;
+#[cfg(not(feature = "figures"))]
+mod undrawn;
 
 use std::path::{Path, PathBuf};
 
@@ -68,7 +72,19 @@ const fn figure(number: u32, shown: Shown, tenths: &'static [i32], seconds: i32)
     Figure { number, shown, consensus: false, tenths, seconds, grid_tenths }
 }
 
+/// Whether this build can draw.
+///
+/// # Errors
+/// It was built without the feature `figures`; which build has it.
+pub fn drawable() -> Result<()> {
+    #[cfg(feature = "figures")]
+    return Ok(());
+    #[cfg(not(feature = "figures"))]
+    Err(undrawn::missing())
+}
+
 /// A figure's lines, ready to be drawn.
+#[cfg_attr(not(feature = "figures"), allow(dead_code))]
 pub struct Plot {
     title: String,
     /// Label of the vertical axis.
@@ -82,6 +98,7 @@ pub struct Plot {
     marks: Vec<(f64, f64, String)>,
 }
 
+#[cfg_attr(not(feature = "figures"), allow(dead_code))]
 struct Line {
     name: String,
     points: Vec<(f64, f64)>,

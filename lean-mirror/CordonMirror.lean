@@ -12,6 +12,7 @@ import CordonMirror.Spec.Theorems.Hypothesis
 import CordonMirror.Spec.Theorems.UpperBound
 import CordonMirror.Spec.Theorems.NonDecreasing
 import CordonMirror.Thm.Arithmetic
+import CordonMirror.Thm.Decide
 import CordonMirror.Thm.Dynamics
 import CordonMirror.Thm.Ordering
 import CordonMirror.Thm.UpperBound

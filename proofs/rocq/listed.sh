@@ -5,7 +5,7 @@
 set -eu
 export LC_ALL=C
 cd "$(dirname "$0")"
-modules() { grep '\.v$' _CoqProject | grep -v '/Vectors\.v$' | sed 's,^theories/,,; s,/,.,g; s,\.v$,,'; }
+modules() { grep '\.v$' _CoqProject | grep -vE '/(Vectors|Decide)\.v$' | sed 's,^theories/,,; s,/,.,g; s,\.v$,,'; }
 echo 'From Coq Require Import ZArith QArith Reals List.'
 modules | sed 's/.*/From Cordon Require Import &./'
 echo 'Open Scope R_scope.'

@@ -8,9 +8,8 @@
 mod common;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
 
-use common::missing;
+use common::{files, missing};
 
 /// A definition: its file below `spec/src/`, and its name.
 type Item = (String, String);
@@ -56,20 +55,6 @@ const MIRRORS: [Mirror; 2] = [
 /// stand in their theorem files. Only what the propositions are made of has twins there; these
 /// are looked up from the mirror's side alone.
 const THEOREMS: &str = "theorems/";
-
-fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    let Ok(entries) = std::fs::read_dir(folder) else { return found };
-    for path in entries.map(|e| e.unwrap().path()) {
-        if path.is_dir() {
-            found.extend(files(&path, ending));
-        } else if path.extension().is_some_and(|e| e == ending) {
-            found.push(path);
-        }
-    }
-    found.sort();
-    found
-}
 
 /// The definitions in a file's text: functions, types and traits; public ones only, or all.
 fn definitions(text: &str, public_only: bool) -> BTreeSet<String> {

@@ -26,7 +26,7 @@ pub enum Target {
     Lean,
     /// proofs/rocq/vectors.tsv: tab-separated values
     Tsv,
-    /// JSON, schema cordon-vectors/1
+    /// JSON, schema cordon-vectors/2
     Json,
 }
 

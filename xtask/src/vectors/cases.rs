@@ -1,12 +1,33 @@
-//! Which runs: the shipped scenarios, both phases, ratios that are no integers, small and
-//! large weights.
+//! Which evaluations: the shipped scenarios, both phases, ratios that are no integers, small and
+//! large weights, and every other definition for 3 to 7 drones.
 
 use core::num::NonZeroU32;
 
-use cordon_spec::Phase;
 use cordon_spec::local::TickRatio;
+use cordon_spec::{Params, Phase};
 
-use super::{Fraction, Kind, Series};
+use super::{Vector, kinds};
+use cordon_core::Rational;
+
+/// A fraction as written in the tables.
+type Fraction = (i64, i64);
+
+/// What a series runs.
+#[derive(Clone, Copy)]
+enum Kind {
+    Coverage { min: i64, max: i64, n: u32, phase: Phase },
+    Local { min: i64, max: i64, ratio: TickRatio, phase: Phase },
+    Consensus,
+}
+
+/// Some ks of one run.
+struct Series {
+    name: &'static str,
+    kind: Kind,
+    eps: Fraction,
+    start: &'static [Fraction],
+    ks: &'static [u64],
+}
 
 /// The start of the paper's figures.
 const PAPER: &[Fraction] = &[(0, 1), (10, 1), (20, 1), (30, 1), (100, 1)];
@@ -18,7 +39,7 @@ const fn paper(n: u32, phase: Phase) -> Kind {
     Kind::Coverage { min: 0, max: 100, n, phase }
 }
 
-pub(super) const SERIES: &[Series] = &[
+const SERIES: &[Series] = &[
     // Fig. 8, both readings of the first update.
     Series {
         name: "paper_first",
@@ -120,3 +141,139 @@ pub(super) const SERIES: &[Series] = &[
         ks: &[0, 1, 2, 5, 10],
     },
 ];
+
+fn rational((num, den): Fraction) -> Rational {
+    Rational::new(num.into(), den.into())
+}
+
+fn rationals(xs: &[Fraction]) -> Vec<Rational> {
+    xs.iter().map(|&x| rational(x)).collect()
+}
+
+fn params(min: i64, max: i64, eps: Fraction, n: u32) -> Params<Rational> {
+    Params { min: rational((min, 1)), max: rational((max, 1)), eps: rational(eps), n }
+}
+
+impl Series {
+    fn vector(&self, k: u64) -> Vector {
+        let (name, start) = (format!("{}_{k}", self.name), rationals(self.start));
+        match self.kind {
+            Kind::Coverage { min, max, n, phase } => {
+                kinds::coverage(&name, &params(min, max, self.eps, n), phase, start, k)
+            }
+            Kind::Local { min, max, ratio, phase } => {
+                kinds::local(&name, &params(min, max, self.eps, 0), ratio, phase, start, k)
+            }
+            Kind::Consensus => kinds::consensus(&name, &rational(self.eps), start, k),
+        }
+    }
+}
+
+/// Ordered starts on [-1, 8]: the first drones of these, then drone N-1 at 8.
+const ORDERED: [Fraction; 6] = [(-1, 1), (1, 2), (2, 3), (3, 1), (7, 2), (27, 4)];
+/// Starts that are not ordered, and leave the segment.
+const MIXED: [Fraction; 6] = [(-1, 1), (4, 1), (1, 5), (9, 1), (-5, 3), (6, 1)];
+const LAST: Fraction = (8, 1);
+
+fn start(of: &[Fraction; 6], count: usize) -> Vec<Rational> {
+    of.iter().take(count - 1).chain([&LAST]).map(|&x| rational(x)).collect()
+}
+
+/// Graphs of at most N drones: a star with a loop, a ring with an edge given twice.
+fn star(count: usize) -> Vec<(usize, usize)> {
+    (1..count).map(|i| (i, 0)).chain([(1, 1)]).collect()
+}
+
+fn ring(count: usize) -> Vec<(usize, usize)> {
+    (0..count).map(|i| (i, (i + 1) % count)).chain([(1, 0)]).collect()
+}
+
+/// A number for drone i seen by drone j, no two alike nearby.
+fn scattered(i: usize) -> Rational {
+    let i = i64::try_from(i).unwrap_or_default();
+    rational((7 * i % 11 - 4, 3))
+}
+
+/// Every definition for so many drones.
+fn of_count(count: usize) -> Vec<Vector> {
+    let p = params(-1, 8, (2, 5), 2);
+    let eps = &p.eps;
+    let (ordered, mixed) = (start(&ORDERED, count), start(&MIXED, count));
+    let mut all = Vec::new();
+    for (phase, word) in [(Phase::First, "first"), (Phase::Last, "last")] {
+        for k in [1, 3, 7] {
+            let name = format!("drones{count}_{word}_{k}");
+            all.push(kinds::coverage(&name, &p, phase, mixed.clone(), k));
+        }
+    }
+    for (turn, word) in ["first", "second", "third"].iter().enumerate() {
+        let flags = (0..count).map(|i| i % 3 != turn).collect();
+        all.push(kinds::active(&format!("rest{count}_{word}"), &p, mixed.clone(), flags));
+    }
+    let seen = (0..count * count).map(scattered).collect();
+    all.push(kinds::delayed(&format!("late{count}"), &p, ordered.clone(), seen));
+    for (graph, word) in [(star(count), "star"), (ring(count), "ring")] {
+        let name = format!("{word}{count}");
+        all.push(kinds::meeting(&format!("meet_{name}"), eps, &graph, mixed.clone(), 2));
+        let input = (0..count).map(scattered).collect();
+        all.push(kinds::formation(&format!("form_{name}"), eps, &graph, ordered.clone(), input));
+    }
+    for id in [0, 1, count - 1] {
+        let heard = [scattered(0), scattered(1), scattered(2)];
+        all.push(kinds::alone(&format!("alone{count}_{id}"), &p, count, heard, id, 7));
+    }
+    all.push(kinds::quantities(&format!("quantities{count}"), &p, mixed.clone()));
+    let after = (0..count).map(scattered).collect();
+    all.push(kinds::residual(&format!("residual{count}"), eps, mixed.clone(), after));
+    let targets: Vec<_> = (0..count)
+        .map(|i| {
+            let (i, gaps) = (i64::try_from(i).unwrap_or(0), i64::try_from(count - 1).unwrap_or(1));
+            rational((9 * i - gaps, gaps))
+        })
+        .collect();
+    // A hair behind and before the targets, all in the first gap, and an end elsewhere.
+    let moved = |by: Fraction| {
+        let last = targets.len() - 1;
+        let internal = |(i, x): (usize, &Rational)| {
+            if i == 0 || i == last { x.clone() } else { x.clone() + rational(by) }
+        };
+        targets.iter().enumerate().map(internal).collect::<Vec<_>>()
+    };
+    let crowd = (0..count).map(|i| {
+        let i = i64::try_from(i).unwrap_or(0);
+        rational((i - 100, 100))
+    });
+    let crowd: Vec<_> = crowd.take(count - 1).chain([rational(LAST)]).collect();
+    let unanchored = (0..count).map(scattered).collect();
+    for (x, word) in [
+        (moved((0, 1)), "targets"),
+        (moved((-1, 9)), "behind"),
+        (moved((1, 9)), "before"),
+        (crowd, "crowd"),
+        (mixed, "mixed"),
+        (unanchored, "loose"),
+    ] {
+        all.push(kinds::predicates(&format!("{word}{count}"), &p, x));
+    }
+    // Half, and both sides of the critical weights 1, 2/3, 2 - sqrt 2, 0.5528.., 0.5359..
+    for (weight, word) in [
+        ((1, 2), "half"),
+        ((53, 100), "low"),
+        ((55, 100), "five"),
+        ((58, 100), "four"),
+        ((60, 100), "middle"),
+        ((2, 3), "high"),
+        ((1, 1), "one"),
+        ((0, 1), "zero"),
+    ] {
+        let (num, den) = (rational((weight.0, 1)), rational((weight.1, 1)));
+        all.push(kinds::critical(&format!("critical{count}_{word}"), &num, &den, count));
+    }
+    all
+}
+
+/// All vectors.
+pub(super) fn all() -> Vec<Vector> {
+    let runs = SERIES.iter().flat_map(|s| s.ks.iter().map(|&k| s.vector(k)));
+    runs.chain((3..=7).flat_map(of_count)).collect()
+}

@@ -1,7 +1,7 @@
 //! Vectors as Lean guards.
 
 use super::show::phase_name;
-use super::{Kind, Vector};
+use super::{Value, Vector};
 use cordon_core::Rational;
 
 /// What precedes the guards: how the definitions that are proved about are executed.
@@ -12,31 +12,36 @@ const HEAD: &str = include_str!("head.lean");
 pub fn lean(vectors: &[Vector]) -> String {
     let mut text = HEAD.to_owned();
     for v in vectors {
-        let (eps, start) = (fraction(&v.eps), list(&v.start));
-        let run = match v.kind {
-            Kind::Coverage { min, max, n, phase } => {
-                let phase = phase_name(phase);
-                format!("coverage ({min} / 1) ({max} / 1) ({eps}) {n} Phase.{phase} {start}")
-            }
-            Kind::Local { min, max, ratio, phase } => {
-                let (num, den, phase) = (ratio.num, ratio.den, phase_name(phase));
-                format!(
-                    "local_swarm ({min} / 1) ({max} / 1) ({eps}) {num} {den} Phase.{phase} {start}"
-                )
-            }
-            Kind::Consensus => format!("consensus ({eps}) {start}"),
-        };
-        let (name, k, expected) = (&v.name, v.k, list(&v.expected));
-        text.push_str(&format!("#guard agree ({run} {k}) {expected} -- {name}\n"));
+        let arguments: String = v.arguments.iter().map(|(_, a)| format!(" {}", term(a))).collect();
+        // `local` is a word of Lean's own.
+        let kind = if v.kind == "local" { "local_swarm" } else { v.kind };
+        let (name, expected) = (&v.name, numbers(&v.expected));
+        text.push_str(&format!("#guard agree ({kind}{arguments}) {expected} -- {name}\n"));
     }
     text.push_str("\nend CordonMirror.Vectors\n");
     text
+}
+
+fn term(value: &Value) -> String {
+    match value {
+        Value::Number(x) => format!("({})", fraction(x)),
+        Value::Count(n) => n.to_string(),
+        Value::Phase(phase) => format!("Phase.{}", phase_name(*phase)),
+        Value::Numbers(xs) => numbers(xs),
+        Value::Edges(edges) => {
+            let pairs = edges.iter().map(|(i, j)| format!("({i}, {j})"));
+            format!("[{}]", pairs.collect::<Vec<_>>().join(", "))
+        }
+        Value::Flags(flags) => {
+            format!("[{}]", flags.iter().map(bool::to_string).collect::<Vec<_>>().join(", "))
+        }
+    }
 }
 
 fn fraction(x: &Rational) -> String {
     format!("{} / {}", x.numer(), x.denom())
 }
 
-fn list(xs: &[Rational]) -> String {
+fn numbers(xs: &[Rational]) -> String {
     format!("[{}]", xs.iter().map(fraction).collect::<Vec<_>>().join(", "))
 }

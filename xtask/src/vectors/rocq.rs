@@ -1,7 +1,7 @@
 //! Vectors as Rocq examples.
 
 use super::show::phase_name;
-use super::{Kind, Vector};
+use super::{Value, Vector};
 use cordon_core::Rational;
 
 /// What precedes the examples: how the definitions that are proved about are executed.
@@ -11,34 +11,35 @@ const HEAD: &str = include_str!("head.v");
 pub fn rocq(vectors: &[Vector]) -> String {
     let mut text = HEAD.to_owned();
     for v in vectors {
-        let (eps, start) = (parenthesised(&v.eps), list(&v.start));
-        let run = match v.kind {
-            Kind::Coverage { min, max, n, phase } => {
-                let phase = phase_name(phase);
-                format!("coverage ({min} # 1) ({max} # 1) {eps} {n} {phase} {start}")
-            }
-            Kind::Local { min, max, ratio, phase } => {
-                let (num, den, phase) = (ratio.num, ratio.den, phase_name(phase));
-                format!("local ({min} # 1) ({max} # 1) {eps} {num} {den} {phase} {start}")
-            }
-            Kind::Consensus => format!("consensus {eps} {start}"),
-        };
-        let (name, k, expected) = (&v.name, v.k, list(&v.expected));
+        let arguments: String = v.arguments.iter().map(|(_, a)| format!(" {}", term(a))).collect();
+        let (kind, name, expected) = (v.kind, &v.name, numbers(&v.expected));
         text.push_str(&format!(
-            "Example {name} : {run} {k} = {expected}. Proof. vm_compute. reflexivity. Qed.\n"
+            "Example {name} : {kind}{arguments} = {expected}. Proof. vm_compute. reflexivity. Qed.\n"
         ));
     }
     text
+}
+
+fn term(value: &Value) -> String {
+    match value {
+        Value::Number(x) => format!("({})", fraction(x)),
+        Value::Count(n) => n.to_string(),
+        Value::Phase(phase) => phase_name(*phase).to_owned(),
+        Value::Numbers(xs) => numbers(xs),
+        Value::Edges(edges) => {
+            let pairs = edges.iter().map(|(i, j)| format!("({i}, {j})"));
+            format!("[{}]%nat", pairs.collect::<Vec<_>>().join("; "))
+        }
+        Value::Flags(flags) => {
+            format!("[{}]", flags.iter().map(bool::to_string).collect::<Vec<_>>().join("; "))
+        }
+    }
 }
 
 fn fraction(x: &Rational) -> String {
     format!("{} # {}", x.numer(), x.denom())
 }
 
-fn parenthesised(x: &Rational) -> String {
-    format!("({})", fraction(x))
-}
-
-fn list(xs: &[Rational]) -> String {
+fn numbers(xs: &[Rational]) -> String {
     format!("[{}]", xs.iter().map(fraction).collect::<Vec<_>>().join("; "))
 }

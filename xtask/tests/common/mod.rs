@@ -2,7 +2,7 @@
 
 #![allow(dead_code)] // each test file uses its part
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 /// The repository's root.
@@ -59,4 +59,19 @@ pub fn missing(tier: &str, what: &str) {
     let required = std::env::var_os("CORDON_REQUIRE_TOOLS").is_some_and(|v| v == "1");
     assert!(!required, "{tier}: `{what}` is missing, and CORDON_REQUIRE_TOOLS=1");
     eprintln!("{tier}: NOT RUN: `{what}` is missing");
+}
+
+/// The files with this ending in a folder and the folders below it, sorted.
+pub fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let Ok(entries) = std::fs::read_dir(folder) else { return found };
+    for path in entries.map(|e| e.expect("a readable folder").path()) {
+        if path.is_dir() {
+            found.extend(files(&path, ending));
+        } else if path.extension().is_some_and(|e| e == ending) {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
 }

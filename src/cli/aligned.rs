@@ -40,3 +40,50 @@ pub fn aligned(
     write(&all, head)?;
     lines.iter().try_for_each(|cells| write(&all, cells))
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use std::cell::Cell;
+    use std::io;
+
+    use super::*;
+
+    #[test]
+    fn known_widths_make_the_same_table() {
+        let head = ["step", "x0"].map(String::from);
+        let lines = || (8..12).map(|i| vec![i.to_string(), format!("{:.3}", f64::from(i))]);
+        let (mut gathered, mut streamed) = (Vec::new(), Vec::new());
+        aligned(&head, None, lines(), &mut gathered).unwrap();
+        aligned(&head, Some(&[2, 6]), lines(), &mut streamed).unwrap();
+        assert_eq!(gathered, streamed);
+        assert_eq!(gathered.split(|&c| c == b'\n').nth(1).unwrap(), b"   8   8.000");
+    }
+
+    /// Takes two lines.
+    struct Full(u32);
+
+    impl Write for Full {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            if bytes.contains(&b'\n') {
+                self.0 += 1;
+            }
+            if self.0 > 2 { Err(io::ErrorKind::BrokenPipe.into()) } else { Ok(bytes.len()) }
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn lines_are_written_as_they_come() {
+        let made = Cell::new(0);
+        let lines = (0..1000).map(|i| {
+            made.set(made.get() + 1);
+            vec![i.to_string()]
+        });
+        assert!(aligned(&["step".to_owned()], Some(&[3]), lines, &mut Full(0)).is_err());
+        assert_eq!(made.get(), 2, "lines made until the reader is gone");
+    }
+}

@@ -201,3 +201,81 @@ fn refuse_endless(scenario: &Scenario, unit: Unit, to: u64) -> Result<()> {
         steps * bits
     )))
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::scenario::parse;
+
+    fn scenario(rest: &str) -> Scenario {
+        let text = format!("start = [0, 10, 20, 30, 100]\nweight = 0.2\n{rest}");
+        parse("test", &text).unwrap().finish().unwrap()
+    }
+
+    /// Against the spec, tick by tick.
+    #[test]
+    fn rows_are_the_run() {
+        let mut compared = 0;
+        for rest in [
+            "",
+            "period = 3",
+            "period = 4\nphase = \"last\"",
+            "protocol = \"consensus\"\nperiod = 2",
+            "protocol = \"consensus\"\ngraph = \"ring\"\nperiod = 2\nphase = \"last\"",
+            "protocol = \"formation\"\ndisplacement = [1, 0, 2, 0, -1]",
+        ] {
+            let s = scenario(rest);
+            let ticks: Vec<_> = simulate::run(&s).take(40).collect();
+            for (from, every) in [(0, 1), (3, 7)] {
+                let wanted = ticks.iter().skip(from).step_by(every);
+                let selection =
+                    Selection { unit: Unit::Ticks, from: from as u64, to: 39, every: every as u64 };
+                let rows: Vec<_> = select(&s, selection).unwrap().collect();
+                assert_eq!(rows.len() as u64, selection.len());
+                for (row, t) in rows.iter().zip(wanted) {
+                    assert_eq!((row.tick, row.step), (t.tick, t.step), "{rest}");
+                    assert_eq!(row.timesteps, t.state.timesteps, "{rest}, tick {}", t.tick);
+                    assert_eq!(row.positions.lowest(), t.state.drones, "{rest}");
+                    compared += 1;
+                }
+            }
+            let selection = Selection { unit: Unit::Steps, from: 0, to: 9, every: 2 };
+            for row in select(&s, selection).unwrap() {
+                let of_step = ticks.iter().find(|t| t.step == row.step).unwrap();
+                assert_eq!((row.tick, row.timesteps), (of_step.tick, of_step.state.timesteps));
+                assert_eq!(row.positions.lowest(), of_step.state.drones);
+                compared += 1;
+            }
+        }
+        assert_eq!(compared, 6 * (40 + 6 + 5));
+    }
+
+    #[test]
+    fn ticks_are_counted_without_walking_them() {
+        let s = scenario("period = 4_000_000_000\nphase = \"last\"");
+        let selection = Selection { unit: Unit::Steps, from: 1, to: 9, every: 4 };
+        let ticks: Vec<_> = select(&s, selection).unwrap().map(|r| r.tick).collect();
+        assert_eq!(ticks, [4_000_000_000, 20_000_000_000, 36_000_000_000]);
+        let selection =
+            Selection { unit: Unit::Ticks, from: 0, to: 9_000_000_001, every: 9_000_000_000 };
+        let rows: Vec<_> = select(&s, selection).unwrap().collect();
+        assert_eq!((rows[1].step, rows[1].timesteps), (2, 1_000_000_000));
+        assert_eq!((rows[0].step, rows[0].timesteps), (0, 0));
+        let beyond = Selection { unit: Unit::Steps, from: u64::MAX, to: u64::MAX, every: 1 };
+        let said = select(&s, beyond).err().unwrap().to_string();
+        assert!(said.contains("expected a step whose tick"), "{said}");
+    }
+
+    #[test]
+    fn far_rows_are_jumped_to_and_near_ones_stepped_to() {
+        let s = scenario("");
+        let source = |from, to, every| {
+            Source::of(&s, Selection { unit: Unit::Steps, from, to, every }).unwrap()
+        };
+        assert!(matches!(source(200_000, 200_000, 1), Source::Jump(_)));
+        assert!(matches!(source(0, 200_000, 200_000), Source::Jump(_)));
+        assert!(matches!(source(0, 200, 1), Source::Step(_)));
+        assert!(matches!(source(0, 200_000, 1), Source::Step(_)));
+    }
+}

@@ -3,11 +3,11 @@
 use std::io::Write;
 use std::num::NonZeroU32;
 
-use comfy_table::{CellAlignment, Table, presets};
 use cordon_spec::local::TickRatio;
 use num_traits::ToPrimitive;
 use serde_json::json;
 
+use super::aligned::aligned;
 use super::scenario_args::ScenarioArgs;
 use super::select::OutputFormat;
 use cordon_core::exact;
@@ -98,27 +98,17 @@ fn ratio(text: &str) -> Result<TickRatio> {
 }
 
 fn text(pairs: &[Pair], digits: usize, out: &mut dyn Write) -> Result<()> {
-    let mut table = Table::new();
-    table.load_preset(presets::NOTHING);
     let count = pairs.first().map_or(0, |p| p.local.len());
     let mut head = vec!["tick".to_owned()];
     head.extend((0..count).map(|i| format!("x{i}")));
     head.push("global".to_owned());
-    table.set_header(head);
-    for p in pairs {
+    let lines = pairs.iter().map(|p| {
         let mut cells = vec![p.tick.to_string()];
         cells.extend(p.local.iter().map(|x| exact::decimal_string(x, digits)));
         cells.push(p.difference().map_or("equal".to_owned(), |i| format!("differs at x{i}")));
-        table.add_row(cells);
-    }
-    for column in table.column_iter_mut() {
-        column.set_cell_alignment(CellAlignment::Right);
-        column.set_padding((0, 2));
-    }
-    for line in table.lines() {
-        writeln!(out, "{}", line.trim_end())?;
-    }
-    Ok(())
+        cells
+    });
+    aligned(&head, None, lines, out)
 }
 
 fn verdict(pairs: &[Pair], different: Option<(&Pair, usize)>) -> String {

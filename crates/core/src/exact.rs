@@ -100,10 +100,14 @@ pub fn fraction(x: &Rational) -> String {
 
 /// The decimal with `digits` places after the point, rounded half to even.
 pub fn decimal_string(x: &Rational, digits: usize) -> String {
-    let scale = BigUint::from(10u8).pow(digits);
-    let num = x.numer().magnitude() * &scale;
-    let den = x.denom().magnitude();
-    let (mut whole, rest) = num.div_rem(den);
+    quotient_decimal(x.numer(), x.denom(), digits)
+}
+
+/// [`decimal_string`] of `num/den`, in lowest terms or not; `den` is positive.
+pub fn quotient_decimal(num: &BigInt, den: &BigInt, digits: usize) -> String {
+    let den = den.magnitude();
+    let scaled = num.magnitude() * BigUint::from(10u8).pow(digits);
+    let (mut whole, rest) = scaled.div_rem(den);
     let up = match (rest * 2u8).cmp(den) {
         std::cmp::Ordering::Less => false,
         std::cmp::Ordering::Equal => whole.is_odd(),
@@ -112,7 +116,7 @@ pub fn decimal_string(x: &Rational, digits: usize) -> String {
     if up {
         whole += BigUint::one();
     }
-    let minus = if x.is_negative() && !whole.is_zero() { "-" } else { "" };
+    let minus = if num.is_negative() && !whole.is_zero() { "-" } else { "" };
     let shown = format!("{whole:0>width$}", whole = whole.to_string(), width = digits + 1);
     let (int, frac) = shown.split_at(shown.len() - digits);
     let point = if digits == 0 { "" } else { "." };
@@ -121,8 +125,13 @@ pub fn decimal_string(x: &Rational, digits: usize) -> String {
 
 /// The nearest double, ties to even; infinite beyond the range of doubles.
 pub fn to_f64(x: &Rational) -> f64 {
-    let magnitude = magnitude_to_f64(x.numer().magnitude(), x.denom().magnitude());
-    if x.numer().sign() == Sign::Minus { -magnitude } else { magnitude }
+    quotient_to_f64(x.numer(), x.denom())
+}
+
+/// [`to_f64`] of `num/den`, in lowest terms or not; `den` is positive.
+pub fn quotient_to_f64(num: &BigInt, den: &BigInt) -> f64 {
+    let magnitude = magnitude_to_f64(num.magnitude(), den.magnitude());
+    if num.sign() == Sign::Minus { -magnitude } else { magnitude }
 }
 
 /// The nearest double of num/den, by one correctly rounded quotient of integers.

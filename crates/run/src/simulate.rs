@@ -2,7 +2,7 @@
 
 use cordon_spec::State;
 use cordon_spec::consensus::exec_consensus;
-use cordon_spec::coverage::tick;
+use cordon_spec::coverage::exec_coverage;
 use cordon_spec::formation::exec_formation;
 
 use crate::scenario::{Protocol, Scenario};
@@ -40,20 +40,24 @@ impl Iterator for Run<'_> {
         self.next = Some(Snapshot {
             tick: now.tick.checked_add(1)?,
             step: now.step + u64::from(fires),
-            state: after_tick(self.scenario, now.state.clone()),
+            state: now
+                .state
+                .clone()
+                .tick_with(self.scenario.counter_limit(), |x| step(self.scenario, x.clone())),
         });
         Some(now)
     }
 }
 
-/// One tick of the scenario's protocol.
-fn after_tick(scenario: &Scenario, s: State<Vec<Rational>>) -> State<Vec<Rational>> {
-    let (eps, n) = (&scenario.weight, scenario.counter_limit());
+/// One protocol step of the scenario.
+pub fn step(scenario: &Scenario, x: Vec<Rational>) -> Vec<Rational> {
+    let eps = &scenario.weight;
     match &scenario.protocol {
-        Protocol::Coverage { min, max } => tick(&scenario.coverage_params(min, max), s),
-        Protocol::Consensus { graph } => s.tick_with(n, |x| exec_consensus(eps, graph, x)),
-        Protocol::Formation { graph, displacement } => {
-            s.tick_with(n, |x| exec_formation(eps, graph, x, displacement))
+        Protocol::Coverage { min, max } => {
+            let p = scenario.coverage_params(min, max);
+            exec_coverage(&p, &State { drones: x, timesteps: 0 }).drones
         }
+        Protocol::Consensus { graph } => exec_consensus(eps, graph, &x),
+        Protocol::Formation { graph, displacement } => exec_formation(eps, graph, &x, displacement),
     }
 }

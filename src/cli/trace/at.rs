@@ -2,14 +2,14 @@
 
 use std::io::Write;
 
-use comfy_table::{CellAlignment, Table, presets};
 use serde_json::json;
 
+use crate::cli::aligned::aligned;
 use cordon_core::{Error, Outcome, Result};
 use cordon_run::fast::verify::{self, Verification};
 use cordon_run::fast::{Answer, Engine, Rule, digits, engine};
 use cordon_run::scenario::Scenario;
-use cordon_run::trace::{Row, Selection, Trace, Unit};
+use cordon_run::trace::Row;
 
 /// The flags of `cordon trace` that jump to chosen steps.
 #[derive(clap::Args, Clone, Debug, Default)]
@@ -80,9 +80,9 @@ pub enum Shape {
     Json,
 }
 
-/// The exact trace of the chosen steps, and how the check against the spec ended; `None` where
+/// The rows of the chosen steps, exact, and how the check against the spec ended; `None` where
 /// only digits are wanted.
-pub fn exact<'s>(scenario: &'s Scenario, args: &AtArgs) -> Result<Option<(Trace<'s>, Outcome)>> {
+pub fn exact(scenario: &Scenario, args: &AtArgs) -> Result<Option<(Vec<Row>, Outcome)>> {
     let Some(chosen) = args.engine.exact() else { return Ok(None) };
     let rule = Rule::of(scenario)?;
     let line = rule.line(&scenario.start)?;
@@ -91,21 +91,13 @@ pub fn exact<'s>(scenario: &'s Scenario, args: &AtArgs) -> Result<Option<(Trace<
         Some(primes) => cross_check(&rule, scenario, &answers, primes, args.seed)?,
         None => Outcome::Holds,
     };
-    let rows = answers.iter().map(|answer| row(scenario, answer)).collect::<Result<_>>()?;
-    let (from, to) = (args.at.iter().min(), args.at.iter().max());
-    let selection = Selection {
-        unit: Unit::Steps,
-        from: from.copied().unwrap_or(0),
-        to: to.copied().unwrap_or(0),
-        every: 1,
-    };
-    Ok(Some((Trace { scenario, selection, rows }, outcome)))
+    let rows = answers.into_iter().map(|answer| row(scenario, answer)).collect::<Result<_>>()?;
+    Ok(Some((rows, outcome)))
 }
 
-fn row(scenario: &Scenario, answer: &Answer) -> Result<Row> {
+fn row(scenario: &Scenario, answer: Answer) -> Result<Row> {
     let (tick, timesteps) = tick_of(scenario, answer.k)?;
-    let positions = answer.positions(engine::multiplier());
-    Ok(Row { tick, step: answer.k, timesteps, positions })
+    Ok(Row { tick, step: answer.k, timesteps, positions: answer.into() })
 }
 
 /// The tick of a step, and the tick counter after it.
@@ -195,20 +187,10 @@ pub fn certain(
             }
         }
         Shape::Table => {
-            let mut table = Table::new();
-            table.load_preset(presets::NOTHING);
-            let head = (0..scenario.count()).map(|i| format!("x{i}"));
-            table.set_header([String::from("step")].into_iter().chain(head));
-            for d in &found {
-                table.add_row([d.k.to_string()].into_iter().chain(decimals(d)));
-            }
-            for column in table.column_iter_mut() {
-                column.set_cell_alignment(CellAlignment::Right);
-                column.set_padding((0, 2));
-            }
-            for line in table.lines() {
-                writeln!(out, "{}", line.trim_end())?;
-            }
+            let mut head = vec![String::from("step")];
+            head.extend((0..scenario.count()).map(|i| format!("x{i}")));
+            let line = |d: &digits::Digits| [vec![d.k.to_string()], decimals(d)].concat();
+            aligned(&head, None, found.iter().map(line), out)?;
         }
     }
     let short = found.iter().any(|d| d.certain() < places);

@@ -13,7 +13,7 @@ use at::{AtArgs, Shape};
 use cordon_core::theorems;
 use cordon_core::{Error, Outcome, Result};
 use cordon_run::scenario::Scenario;
-use cordon_run::trace::{Checked, Selection, Trace, Unit, check, select};
+use cordon_run::trace::{Checked, Row, Selection, Unit, check, select};
 use show::Numbers;
 
 /// Arguments of `cordon trace`.
@@ -99,42 +99,56 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     };
     let selection =
         Selection { unit, from: args.from, to: args.to.unwrap_or(last), every: args.every };
-    let trace = select(&scenario, selection)?;
-    if args.plot && trace.rows.len() < 2 {
+    let rows = select(&scenario, selection)?;
+    if args.plot && selection.len() < 2 {
         return Err(Error::input("plot: expected a selection of at least two rows"));
     }
     let form: Form = args.form.into();
     let checks = match &args.check {
         Some(list) => {
-            let last_step = trace.rows.last().map_or(0, |r| r.step);
+            let (_, last_step) = unit.tick_and_step(&scenario, selection.last());
             check(&scenario, &theorems::named(list)?, form, last_step)?
         }
         None => Vec::new(),
     };
-    print(args, &trace, &checks, out)?;
+    let mut plotted = Vec::new();
+    let keep = |row: &Row| {
+        if args.plot {
+            plotted.push(row.clone());
+        }
+    };
+    print(args, &scenario, &mut rows.inspect(keep), Some(selection), &checks, out)?;
     if args.plot {
-        show::plot(&trace, out)?;
+        show::plot(unit, &plotted, out)?;
     }
     Ok(checks.iter().fold(Outcome::Holds, |worst, c| worst.worst(c.outcome())))
 }
 
 /// Writes the trace in the wanted form.
-fn print(args: &Args, trace: &Trace<'_>, checks: &[Checked], out: &mut dyn Write) -> Result<()> {
+fn print(
+    args: &Args,
+    scenario: &Scenario,
+    rows: &mut dyn Iterator<Item = Row>,
+    selection: Option<Selection>,
+    checks: &[Checked],
+    out: &mut dyn Write,
+) -> Result<()> {
+    let (digits, numbers) = (args.digits, args.numbers);
     match args.format {
         Format::Table => {
-            let numbers = args.numbers.unwrap_or(Numbers::Decimal);
-            show::table(trace, checks, numbers, args.digits, out)
+            let numbers = numbers.unwrap_or(Numbers::Decimal);
+            show::table(scenario, rows, checks, numbers, digits, selection, out)
         }
-        Format::Csv => show::csv(trace, args.numbers.unwrap_or(Numbers::Both), args.digits, out),
-        Format::Json => show::json(trace, checks, args.digits, out),
-        Format::Itf => show::itf(trace, out),
+        Format::Csv => show::csv(scenario, rows, numbers.unwrap_or(Numbers::Both), digits, out),
+        Format::Json => show::json(scenario, rows, checks, digits, out),
+        Format::Itf => show::itf(scenario, rows, out),
     }
 }
 
 /// `--at`: the chosen steps only.
 fn chosen_steps(args: &Args, scenario: &Scenario, out: &mut dyn Write) -> Result<Outcome> {
-    if let Some((trace, outcome)) = at::exact(scenario, &args.at)? {
-        print(args, &trace, &[], out)?;
+    if let Some((rows, outcome)) = at::exact(scenario, &args.at)? {
+        print(args, scenario, &mut rows.into_iter(), None, &[], out)?;
         return Ok(outcome);
     }
     let shape = match args.format {

@@ -2,7 +2,7 @@
 
 use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, Zero};
 
 use super::multiply::Multiply;
 use super::power;
@@ -50,95 +50,133 @@ impl Answer {
 
     /// The positions as fractions in lowest terms.
     pub fn positions(&self, by: &dyn Multiply) -> Vec<Rational> {
-        let denominator = self.denominator(by);
-        let primes = Primes::of(&[&self.base, &self.den]);
-        self.numerators.iter().map(|n| primes.lowest(n, &denominator)).collect()
+        let mut terms = Terms::of(self, power::natural(self.den.magnitude(), self.k, by).into());
+        self.numerators.iter().map(|n| terms.lowest(n)).collect()
     }
 }
 
-/// Primes below this are found by trial; a denominator with larger ones is reduced by gcd.
-const TRIAL: u64 = 1 << 12;
-
-/// The primes of a denominator, if they are all small: then fractions are brought to lowest
-/// terms by a few exact divisions instead of a gcd of long numbers.
-struct Primes {
-    primes: Vec<BigUint>,
-    complete: bool,
+/// Brings fractions over `base * den^k` to lowest terms, without a gcd of long numbers: what a
+/// numerator has in common with the denominator is found by gcds with factors of `base * den`,
+/// which are short.
+pub struct Terms {
+    /// `den^k`.
+    power: BigInt,
+    /// `base * den^k`.
+    denominator: BigInt,
+    base: BigInt,
+    den: BigInt,
+    k: u64,
+    /// Pairwise coprime; every prime of the denominator divides one. Split as numerators show
+    /// that they are composite.
+    factors: Vec<BigUint>,
 }
 
-impl Primes {
-    fn of(numbers: &[&BigInt]) -> Self {
-        let mut primes = Vec::new();
-        let mut complete = true;
-        for n in numbers {
-            let mut rest = n.magnitude().clone();
-            for p in 2..TRIAL {
-                if rest.is_one() {
-                    break;
+impl Terms {
+    /// Of the positions of an answer whose `den^k` is `power`.
+    pub fn of(answer: &Answer, power: BigInt) -> Self {
+        let Answer { k, base, den, .. } = answer;
+        let factors = coprime([base.magnitude().clone(), den.magnitude().clone()]);
+        let (base, den) = (base.clone(), den.clone());
+        Self { denominator: &power * &base, power, base, den, k: *k, factors }
+    }
+
+    /// The common denominator.
+    pub fn denominator(&self) -> &BigInt {
+        &self.denominator
+    }
+
+    /// `n` over the common denominator, in lowest terms.
+    pub fn lowest(&mut self, n: &BigInt) -> Rational {
+        // Drones at rest: the quotient is short, whatever k is.
+        let (whole, rest) = n.div_rem(&self.power);
+        if rest.is_zero() {
+            return Rational::new(whole, self.base.clone());
+        }
+        'split: loop {
+            let mut num = n.magnitude().clone();
+            let mut removed = BigUint::one();
+            for (i, c) in self.factors.iter().enumerate() {
+                let most = u64::from(valuation(self.base.magnitude(), c))
+                    + u64::from(valuation(self.den.magnitude(), c)).saturating_mul(self.k);
+                let (left, common, times) = without_powers(num, c, most);
+                let shared = if times < most { (&left % c).gcd(c) } else { BigUint::one() };
+                if !shared.is_one() {
+                    // c is not prime: the numerator has a part of it.
+                    let rest = c / &shared;
+                    let others = self.factors.iter().enumerate().filter(|(j, _)| *j != i);
+                    let others: Vec<_> = others.map(|(_, f)| f.clone()).collect();
+                    self.factors = coprime(others.into_iter().chain([shared, rest]));
+                    continue 'split;
                 }
-                if (&rest % p).is_zero() {
-                    primes.push(BigUint::from(p));
-                    while (&rest % p).is_zero() {
-                        rest /= p;
-                    }
+                num = left;
+                removed *= common;
+            }
+            let num = BigInt::from_biguint(n.sign(), num);
+            let den = &self.denominator / BigInt::from(removed);
+            return Rational::new_raw(num, den);
+        }
+    }
+}
+
+/// Pairwise coprime numbers above 1 that together have the primes of the given ones.
+fn coprime(numbers: impl IntoIterator<Item = BigUint>) -> Vec<BigUint> {
+    let mut found: Vec<BigUint> = Vec::new();
+    let mut left: Vec<BigUint> = numbers.into_iter().collect();
+    while let Some(n) = left.pop() {
+        if n.is_one() || n.is_zero() {
+            continue;
+        }
+        let meeting = found.iter().map(|f| f.gcd(&n)).position(|g| !g.is_one());
+        match meeting {
+            None => found.push(n),
+            Some(i) => {
+                let f = found.swap_remove(i);
+                let shared = f.gcd(&n);
+                left.extend([f / &shared, n / &shared, shared]);
+            }
+        }
+    }
+    found
+}
+
+/// How often `c > 1` divides `n > 0`.
+fn valuation(n: &BigUint, c: &BigUint) -> u32 {
+    let (mut rest, mut times) = (n.clone(), 0);
+    loop {
+        let (quotient, remainder) = rest.div_rem(c);
+        if !remainder.is_zero() {
+            return times;
+        }
+        (rest, times) = (quotient, times + 1);
+    }
+}
+
+/// `n` without the powers of `c` that divide it, `most` at most; their product and number.
+fn without_powers(mut n: BigUint, c: &BigUint, most: u64) -> (BigUint, BigUint, u64) {
+    if *c == BigUint::from(2u8) {
+        let times = n.trailing_zeros().unwrap_or(0).min(most);
+        return (n >> times, BigUint::one() << times, times);
+    }
+    // c, c^2, c^4, ...: as far as they divide, then downwards.
+    let mut powers = vec![(c.clone(), 1)];
+    let (mut common, mut times) = (BigUint::one(), 0);
+    while let Some((power, exponent)) = powers.last().cloned() {
+        let grows = times + 1 == exponent;
+        if times + exponent <= most && power.bits() <= n.bits() {
+            let (quotient, remainder) = n.div_rem(&power);
+            if remainder.is_zero() {
+                n = quotient;
+                common *= &power;
+                times += exponent;
+                if grows {
+                    powers.push((&power * &power, exponent * 2));
                 }
-            }
-            complete &= rest.to_u64().is_some_and(|r| r < TRIAL * TRIAL);
-            if !rest.is_one() {
-                // Without factors below TRIAL it is prime if it is below TRIAL squared.
-                primes.push(rest);
+                continue;
             }
         }
-        primes.sort_unstable();
-        primes.dedup();
-        Self { primes, complete }
+        powers.pop();
     }
-
-    fn lowest(&self, num: &BigInt, den: &BigInt) -> Rational {
-        if num.is_zero() {
-            return Rational::zero();
-        }
-        if !self.complete {
-            return Rational::new(num.clone(), den.clone());
-        }
-        let (mut n, mut d) = (num.magnitude().clone(), den.magnitude().clone());
-        for p in &self.primes {
-            (n, d) = without_common(n, d, p);
-        }
-        let n = BigInt::from(n) * num.signum();
-        Rational::new_raw(n, d.into())
-    }
-}
-
-/// `n` and `d` without the powers of `p` that divide both.
-fn without_common(mut n: BigUint, mut d: BigUint, p: &BigUint) -> (BigUint, BigUint) {
-    // p, p^2, p^4, ...: as far as they divide both, then downwards.
-    let mut powers = Vec::new();
-    let mut q = p.clone();
-    while let Some((a, b)) = divided(&n, &d, &q) {
-        (n, d) = (a, b);
-        let square = &q * &q;
-        powers.push(q);
-        q = square;
-    }
-    for q in powers.iter().rev() {
-        while let Some((a, b)) = divided(&n, &d, q) {
-            (n, d) = (a, b);
-        }
-    }
-    (n, d)
-}
-
-fn divided(n: &BigUint, d: &BigUint, q: &BigUint) -> Option<(BigUint, BigUint)> {
-    if n.bits() < q.bits() || d.bits() < q.bits() {
-        return None;
-    }
-    let (a, rest) = n.div_rem(q);
-    if !rest.is_zero() {
-        return None;
-    }
-    let (b, rest) = d.div_rem(q);
-    rest.is_zero().then_some((a, b))
+    (n, common, times)
 }
 
 /// Exponentiation in a prime field.
@@ -170,13 +208,34 @@ mod tests {
     proptest! {
         #[test]
         fn lowest_terms_are_those_of_the_library(
-            num in any::<i64>(), extra in 0u32..40, base in 1u64..5000, den in 1u64..3000, k in 0u64..40
+            nums in prop::collection::vec((any::<i64>(), 0u32..40, 1u64..100), 1..4),
+            base in prop_oneof![1u64..5000, Just(987_654_321_098_765_433)],
+            den in prop_oneof![1u64..3000, Just(900), Just(1 << 12), Just(987_654_321_098_765_433)],
+            k in 0u64..40,
         ) {
-            let num = BigInt::from(num) * Pow::pow(BigInt::from(den), extra);
-            let answer = Answer { k, numerators: vec![num.clone()], base: base.into(), den: den.into() };
+            // Numerators with powers of the denominator, and of a factor of it, in them.
+            let power = |extra: u32, times: u64| Pow::pow(BigInt::from(den), extra) * times;
+            let numerators: Vec<BigInt> =
+                nums.iter().map(|&(n, extra, times)| power(extra, times) * n / 6).collect();
+            let answer = Answer { k, numerators, base: base.into(), den: den.into() };
             let by = &super::super::multiply::NumBigint;
-            let wanted = Rational::new(num, answer.denominator(by));
-            prop_assert_eq!(answer.positions(by), vec![wanted]);
+            let common = answer.denominator(by);
+            let wanted: Vec<_> =
+                answer.numerators.iter().map(|n| Rational::new(n.clone(), common.clone())).collect();
+            prop_assert_eq!(answer.positions(by), wanted);
         }
+    }
+
+    #[test]
+    fn composite_factors_are_split_where_it_matters() {
+        // 6^k with numerators that have 2, 3 or 4 in common with it.
+        let numerators = [2, 3, 4, 35, 0, -9].map(BigInt::from).to_vec();
+        let answer = Answer { k: 5, numerators, base: 1.into(), den: 6.into() };
+        let shown: Vec<_> = answer
+            .positions(&super::super::multiply::NumBigint)
+            .iter()
+            .map(ToString::to_string)
+            .collect();
+        assert_eq!(shown, ["1/3888", "1/2592", "1/1944", "35/7776", "0", "-1/864"]);
     }
 }

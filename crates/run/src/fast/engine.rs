@@ -39,7 +39,9 @@ pub fn positions(line: &Line, steps: &[u64], engine: Engine) -> Result<Vec<Answe
     match engine {
         Engine::Jump => jump::at(line, steps, multiplier()),
         Engine::Step => step::at(line, steps),
-        Engine::Auto if jump_is_faster(line, steps) => jump::at(line, steps, multiplier()),
+        Engine::Auto if jump_is_faster(line, last(steps), steps.iter().copied()) => {
+            jump::at(line, steps, multiplier())
+        }
         Engine::Auto => step::at(line, steps),
     }
 }
@@ -48,14 +50,20 @@ pub fn positions(line: &Line, steps: &[u64], engine: Engine) -> Result<Vec<Answe
 /// start: measured, and rounded up.
 const JUMP_COST: f64 = 600.0;
 
-fn jump_is_faster(line: &Line, steps: &[u64]) -> bool {
+fn last(steps: &[u64]) -> u64 {
+    steps.iter().copied().max().unwrap_or(0)
+}
+
+/// Whether jumping to each of `steps` is expected to be faster than stepping to the `last`.
+pub fn jump_is_faster(line: &Line, last: u64, steps: impl IntoIterator<Item = u64>) -> bool {
     let limbs = log2_above(&line.growth()) / 64.0;
     let drones = line.count() as f64;
-    let last = steps.iter().copied().max().unwrap_or(0) as f64;
+    let last = last as f64;
     let stepping = drones * last * (last * limbs / 2.0 + 1.0);
-    let jumping = |&k: &u64| {
+    let mut left = stepping;
+    steps.into_iter().all(|k| {
         let long = k as f64 * limbs + 1.0;
-        drones * long * (JUMP_COST + drones.min(2.0 * k as f64 + 1.0))
-    };
-    steps.iter().map(jumping).sum::<f64>() < stepping
+        left -= drones * long * (JUMP_COST + drones.min(2.0 * k as f64 + 1.0));
+        left > 0.0
+    })
 }

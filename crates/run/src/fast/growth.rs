@@ -63,15 +63,17 @@ impl Line {
         (self.numerator_bits(k) / 8 + 8).saturating_mul(self.count() as u64)
     }
 
+    /// Refuses answers beyond memory; `field` is what k was given for.
+    ///
     /// # Errors
     /// The answer after k steps would be longer than `MAX_ANSWER_BYTES`: says how long.
-    pub fn refuse_beyond_memory(&self, k: u64) -> Result<()> {
+    pub fn refuse_beyond_memory(&self, field: &str, k: u64) -> Result<()> {
         let bytes = self.answer_bytes(k);
         if bytes <= MAX_ANSWER_BYTES {
             return Ok(());
         }
         Err(Error::input(format!(
-            "at: `{k}`: the exact positions of {} drones after so many steps take about {}: \
+            "{field}: `{k}`: the exact positions of {} drones after so many steps take about {}: \
              expected at most {} (digits that are certain, `--engine digits`, have no such limit)",
             self.count(),
             readable(bytes),

@@ -18,11 +18,12 @@ use cordon_core::Result;
 /// An answer longer than the memory limit.
 pub fn at(line: &Line, steps: &[u64], by: &dyn Multiply) -> Result<Vec<Answer>> {
     let last = steps.iter().copied().max().unwrap_or(0);
-    line.refuse_beyond_memory(last)?;
+    line.refuse_beyond_memory("at", last)?;
     Ok(steps.iter().map(|&k| after(line, k, by)).collect())
 }
 
-fn after(line: &Line, k: u64, by: &dyn Multiply) -> Answer {
+/// The positions after `k` steps.
+pub fn after(line: &Line, k: u64, by: &dyn Multiply) -> Answer {
     let scale = BigInt::from(power::natural(line.den.magnitude(), k, by));
     let moved = deviations(line, k, by);
     let numerators = line

@@ -23,7 +23,7 @@ mod limbs;
 pub mod line;
 pub mod multiply;
 pub mod ntt;
-mod power;
+pub(crate) mod power;
 mod ring;
 pub mod rule;
 pub mod step;

@@ -19,18 +19,12 @@ use cordon_core::Result;
 /// An answer longer than the memory limit.
 pub fn at(line: &Line, steps: &[u64]) -> Result<Vec<Answer>> {
     let last = steps.iter().copied().max().unwrap_or(0);
-    line.refuse_beyond_memory(last)?;
+    line.refuse_beyond_memory("at", last)?;
     let mut wanted = steps.to_vec();
     wanted.sort_unstable();
     wanted.dedup();
-    let mut run = Run::new(line, last);
-    let mut found = Vec::with_capacity(wanted.len());
-    for k in wanted {
-        while run.k < k {
-            run.step();
-        }
-        found.push(run.answer(line));
-    }
+    let mut run = Run::new(line.clone(), last);
+    let found: Vec<Answer> = wanted.into_iter().map(|k| run.advance_to(k).answer()).collect();
     let at = |k| found.binary_search_by_key(k, |a: &Answer| a.k);
     Ok(steps.iter().filter_map(|k| found.get(at(k).ok()?).cloned()).collect())
 }
@@ -58,9 +52,10 @@ impl Weight {
     }
 }
 
-struct Run {
+/// A run under way.
+pub struct Run {
+    line: Line,
     k: u64,
-    ends: Ends,
     side: Weight,
     centre: Weight,
     den: Weight,
@@ -75,7 +70,8 @@ struct Run {
 }
 
 impl Run {
-    fn new(line: &Line, last: u64) -> Self {
+    /// The run of a line, which may be advanced to step `last` and no further.
+    pub fn new(line: Line, last: u64) -> Self {
         let start: Vec<BigInt> = line.start().collect();
         let growth = Growth::of(&line.growth());
         // One bit for the sign.
@@ -88,7 +84,6 @@ impl Run {
         }
         Self {
             k: 0,
-            ends: line.ends,
             side: Weight::of(&line.side),
             centre: Weight::of(&line.centre),
             den: Weight::of(&line.den),
@@ -98,7 +93,16 @@ impl Run {
             width,
             next: now.clone(),
             now,
+            line,
         }
+    }
+
+    /// Steps until `k` steps have been made.
+    pub fn advance_to(&mut self, k: u64) -> &Self {
+        while self.k < k {
+            self.step();
+        }
+        self
     }
 
     /// One protocol step of every drone.
@@ -113,7 +117,7 @@ impl Run {
             let into = &mut into[..width];
             let (before, own, after) = (i.saturating_sub(1), i, (i + 1).min(last));
             let at_end = i == 0 || i == last;
-            let (side, centre) = match self.ends {
+            let (side, centre) = match self.line.ends {
                 Ends::Fixed if at_end => (&nothing, &self.den),
                 // At a free end the mirror image beyond it is the drone itself.
                 Ends::Fixed | Ends::Free => (&self.side, &self.centre),
@@ -134,7 +138,8 @@ impl Run {
         }
     }
 
-    fn answer(&self, line: &Line) -> Answer {
+    /// The positions now.
+    pub fn answer(&self) -> Answer {
         let mut scratch = vec![0; self.width];
         let numerators = self.now.chunks_exact(self.stride).map(|row| {
             scratch.copy_from_slice(&row[..self.width]);
@@ -143,8 +148,8 @@ impl Run {
         Answer {
             k: self.k,
             numerators: numerators.collect(),
-            base: line.base.clone(),
-            den: line.den.clone(),
+            base: self.line.base.clone(),
+            den: self.line.den.clone(),
         }
     }
 }

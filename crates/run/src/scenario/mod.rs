@@ -124,12 +124,39 @@ impl Scenario {
         self.params().map(|p| Setting::from(&p))
     }
 
+    /// The tick of the first update.
+    fn first_update(&self) -> u64 {
+        match self.phase {
+            Phase::First => 1,
+            Phase::Last => self.period.into(),
+        }
+    }
+
+    /// How many protocol steps have happened after `tick` ticks.
+    pub fn steps_until(&self, tick: u64) -> u64 {
+        tick.checked_sub(self.first_update()).map_or(0, |late| late / u64::from(self.period) + 1)
+    }
+
+    /// The tick counter after `tick` ticks: how many the last update is ago.
+    pub fn timesteps_at(&self, tick: u64) -> u32 {
+        match tick.checked_sub(self.first_update()) {
+            // Below the period.
+            Some(late) => (late % u64::from(self.period)) as u32,
+            None => match self.phase {
+                Phase::First => self.counter_limit(),
+                // Below the period too.
+                Phase::Last => tick as u32,
+            },
+        }
+    }
+
+    /// The time after so many ticks, in seconds, where the scenario has a clock.
+    pub fn time(&self, tick: u64) -> Option<Rational> {
+        Some(self.tau.as_ref()? * Rational::from_integer(tick.into()))
+    }
+
     /// The tick in which protocol step `k >= 1` happens.
     pub fn tick_of_step(&self, k: u64) -> Option<u64> {
-        let first = match self.phase {
-            Phase::First => 1,
-            Phase::Last => u64::from(self.period),
-        };
-        k.checked_sub(1)?.checked_mul(self.period.into())?.checked_add(first)
+        k.checked_sub(1)?.checked_mul(self.period.into())?.checked_add(self.first_update())
     }
 }

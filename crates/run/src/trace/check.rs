@@ -1,13 +1,13 @@
 //! Theorems checked along a run.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::BTreeMap;
 
 use cordon_core::theorems;
-use cordon_spec::State;
 use cordon_spec::theorems::{Form, Setting, Theorem, Truth, Verdict};
+use num_bigint::BigInt;
 
+use crate::fast::{Line, Rule, step};
 use crate::scenario::Scenario;
-use crate::simulate;
 use cordon_core::exact::Rational;
 use cordon_core::{Error, Outcome, Result, violation};
 
@@ -70,40 +70,76 @@ pub fn check(
     }
     let span = |t: Theorem| t.span(form, scenario.count());
     let longest = theorems.iter().map(|&t| span(t)).max().unwrap_or(0);
-    let mut window: VecDeque<Vec<Rational>> = VecDeque::new();
-    let mut step = 0;
-    for placement in placements(scenario) {
-        window.push_back(placement);
-        if window.len() <= longest {
-            continue;
-        }
-        let run = window.make_contiguous();
+    let line = Rule::of(scenario)?.line(&scenario.start)?;
+    let mut window = Window::new(line, last.saturating_add(longest as u64));
+    for step in 0..=last {
+        window.extend_to(step, longest);
+        let (integers, run) = window.scaled(&setting);
         for c in &mut checks {
-            let verdict = c.theorem.conclusion(form, &setting, run);
+            let verdict = c.theorem.conclusion(form, &integers, run);
             if let (Verdict::Violated(v), None) = (verdict, &c.first_violation) {
                 let ends = [&setting.min, &setting.max];
-                c.first_violation = Some((step, violation::in_words(ends, run, step, v)));
+                let run = window.placements();
+                c.first_violation = Some((step, violation::in_words(ends, &run, step, v)));
             }
             c.verdicts.insert(step, verdict);
         }
-        window.pop_front();
-        if step == last {
-            break;
-        }
-        step += 1;
     }
     Ok(checks)
 }
 
-/// X^0, X^1, ...: the placements without the ticks between.
-fn placements(scenario: &Scenario) -> impl Iterator<Item = Vec<Rational>> {
-    let mut last = None;
-    simulate::run(scenario).filter_map(move |s| {
-        let new = last != Some(s.step);
-        last = Some(s.step);
-        let State { drones, .. } = s.state;
-        new.then_some(drones)
-    })
+/// Consecutive placements, as integers over one denominator: conclusions are homogeneous, so
+/// that they may be asked of the numerators.
+struct Window {
+    run: step::Run,
+    /// D Q^t, with t the last step.
+    denominator: BigInt,
+    den: BigInt,
+    numerators: Vec<Vec<BigInt>>,
+    next: u64,
+}
+
+impl Window {
+    /// An empty window on the run of a line up to step `last`.
+    fn new(line: Line, last: u64) -> Self {
+        let (denominator, den) = (line.base.clone(), line.den.clone());
+        let run = step::Run::new(line, last);
+        Self { run, denominator, den, numerators: Vec::new(), next: 0 }
+    }
+
+    /// Goes on to the placements `step ..= step + span`.
+    fn extend_to(&mut self, step: u64, span: usize) {
+        while self.next <= step + span as u64 {
+            if self.numerators.len() > span {
+                self.numerators.remove(0);
+            }
+            if self.next > 0 {
+                self.denominator *= &self.den;
+                self.numerators.iter_mut().flatten().for_each(|x| *x *= &self.den);
+            }
+            self.numerators.push(self.run.advance_to(self.next).answer().numerators);
+            self.next += 1;
+        }
+    }
+
+    /// The setting and the placements over the common denominator.
+    fn scaled(&self, setting: &Setting<Rational>) -> (Setting<BigInt>, &[Vec<BigInt>]) {
+        // D is a multiple of the denominators of the ends, where the end drones start.
+        let whole = |x: &Rational| x.numer() * (&self.denominator / x.denom());
+        let integers = Setting {
+            min: whole(&setting.min),
+            max: whole(&setting.max),
+            eps_num: setting.eps_num.to_integer(),
+            eps_den: setting.eps_den.to_integer(),
+        };
+        (integers, &self.numerators)
+    }
+
+    /// The placements in lowest terms.
+    fn placements(&self) -> Vec<Vec<Rational>> {
+        let lowest = |x: &BigInt| Rational::new(x.clone(), self.denominator.clone());
+        self.numerators.iter().map(|x| x.iter().map(lowest).collect()).collect()
+    }
 }
 
 fn require_start(

@@ -1,7 +1,11 @@
 //! Traces: the rows of a run that a user wants to see, and what the theorems say of them.
 
 mod check;
+mod extremes;
+mod positions;
 mod rows;
 
 pub use check::{Checked, check};
-pub use rows::{Row, Selection, Trace, Unit, select};
+pub use extremes::decimal_widths;
+pub use positions::Positions;
+pub use rows::{Row, Rows, Selection, Unit, select};

@@ -1,11 +1,12 @@
-//! Which states of a run become rows.
+//! Which states of a run become rows, and the rows one by one.
 
 use num_traits::ToPrimitive;
 
-use crate::scenario::Scenario;
+use super::positions::Positions;
+use crate::fast::{Line, Rule, engine, jump, step};
+use crate::scenario::{Protocol, Scenario, Topology};
 use crate::simulate;
-use cordon_core::exact::Rational;
-use cordon_core::{Error, Result};
+use cordon_core::{Error, Rational, Result};
 
 /// What the rows count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,6 +25,15 @@ impl Unit {
             Self::Ticks => "tick",
         }
     }
+
+    /// Tick and protocol step of the row that is called `at` in this unit. A step's row is the
+    /// state right after its update; one whose tick is beyond 64 bits counts as the start.
+    pub fn tick_and_step(self, scenario: &Scenario, at: u64) -> (u64, u64) {
+        match self {
+            Self::Ticks => (at, scenario.steps_until(at)),
+            Self::Steps => (scenario.tick_of_step(at).unwrap_or(0), at),
+        }
+    }
 }
 
 /// The rows `from`, `from + every`, ... up to `to`, in the given unit.
@@ -39,6 +49,29 @@ pub struct Selection {
     pub every: u64,
 }
 
+impl Selection {
+    /// The number of rows.
+    pub fn len(self) -> u64 {
+        self.to.checked_sub(self.from).map_or(0, |span| span / self.every.max(1) + 1)
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(self) -> bool {
+        self.len() == 0
+    }
+
+    /// The protocol steps of the rows, in order.
+    pub fn steps(self, scenario: &Scenario) -> impl Iterator<Item = u64> + '_ {
+        let rows = (0..self.len()).map(move |i| self.from + i * self.every);
+        rows.map(move |at| self.unit.tick_and_step(scenario, at).1)
+    }
+
+    /// The last of the rows.
+    pub fn last(self) -> u64 {
+        self.to - (self.to - self.from) % self.every
+    }
+}
+
 /// One shown state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
@@ -49,26 +82,7 @@ pub struct Row {
     /// Ticks since the last update.
     pub timesteps: u32,
     /// Position of every drone.
-    pub positions: Vec<Rational>,
-}
-
-/// The shown part of a run.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Trace<'s> {
-    /// What was run.
-    pub scenario: &'s Scenario,
-    /// What was selected.
-    pub selection: Selection,
-    /// The rows, in order.
-    pub rows: Vec<Row>,
-}
-
-impl Trace<'_> {
-    /// The time of a row in seconds, where the scenario has a clock.
-    pub fn time(&self, row: &Row) -> Option<Rational> {
-        let tau = self.scenario.tau.as_ref()?;
-        Some(tau * Rational::from_integer(row.tick.into()))
-    }
+    pub positions: Positions,
 }
 
 /// Most rows of one trace: more is a slip of the keyboard, and would fill the memory.
@@ -78,11 +92,11 @@ const MAX_ROWS: u64 = 10_000_000;
 /// with weight p/q makes numbers of k*log2(q) bits, hence N*k^2*log2(q)/128 limb operations.
 const MAX_WORK: f64 = 1e12;
 
-/// Runs the scenario and keeps the selected rows.
+/// The selected rows of the scenario's run, each computed when it is asked for.
 ///
 /// # Errors
 /// A selection without rows, with too many, or with a run too long to step through.
-pub fn select(scenario: &Scenario, selection: Selection) -> Result<Trace<'_>> {
+pub fn select(scenario: &Scenario, selection: Selection) -> Result<Rows<'_>> {
     let Selection { unit, from, to, every } = selection;
     if every == 0 {
         return Err(Error::input("every: `0`: expected 1 or more"));
@@ -90,48 +104,93 @@ pub fn select(scenario: &Scenario, selection: Selection) -> Result<Trace<'_>> {
     if from > to {
         return Err(Error::input(format!("from: `{from}`: expected at most the last row, {to}")));
     }
+    if unit == Unit::Steps && to > 0 && scenario.tick_of_step(to).is_none() {
+        return Err(Error::input(format!(
+            "steps: `{to}`: expected a step whose tick, {} times as late, fits 64 bits",
+            scenario.period
+        )));
+    }
     refuse_endless(scenario, unit, to)?;
-    if (to - from) / every >= MAX_ROWS {
+    if selection.len() > MAX_ROWS {
         return Err(Error::input(format!(
             "every: `{every}`: expected at most {MAX_ROWS} rows between {from} and {to}"
         )));
     }
-    let mut rows = Vec::new();
-    let mut last_step = None;
-    for s in simulate::run(scenario) {
-        let (at, is_new) = match unit {
-            Unit::Ticks => (s.tick, true),
-            // A step's row is the state right after its update.
-            Unit::Steps => (s.step, last_step != Some(s.step)),
+    let source = Source::of(scenario, selection)?;
+    Ok(Rows { scenario, selection, next: Some(from), source })
+}
+
+/// The rows of a trace, in order.
+pub struct Rows<'s> {
+    scenario: &'s Scenario,
+    selection: Selection,
+    next: Option<u64>,
+    source: Source,
+}
+
+impl Iterator for Rows<'_> {
+    type Item = Row;
+
+    fn next(&mut self) -> Option<Row> {
+        let at = self.next.filter(|&at| at <= self.selection.to)?;
+        self.next = at.checked_add(self.selection.every);
+        let (tick, step) = self.selection.unit.tick_and_step(self.scenario, at);
+        let timesteps = self.scenario.timesteps_at(tick);
+        Some(Row { tick, step, timesteps, positions: self.source.after(self.scenario, step) })
+    }
+}
+
+/// What computes the positions; steps are asked for in increasing order.
+enum Source {
+    /// A line, step by step.
+    Step(Box<step::Run>),
+    /// A line, without the steps between.
+    Jump(Box<Line>),
+    /// Another protocol or graph: the spec on fractions.
+    Spec { k: u64, drones: Vec<Rational> },
+}
+
+impl Source {
+    fn of(scenario: &Scenario, selection: Selection) -> Result<Self> {
+        let is_line = match &scenario.protocol {
+            Protocol::Coverage { .. } => true,
+            Protocol::Consensus { graph } => matches!(graph, Topology::Path(_)),
+            Protocol::Formation { .. } => false,
         };
-        last_step = Some(s.step);
-        if at > to {
-            break;
+        if !is_line {
+            return Ok(Self::Spec { k: 0, drones: scenario.start.clone() });
         }
-        if is_new && at >= from && (at - from) % every == 0 {
-            rows.push(Row {
-                tick: s.tick,
-                step: s.step,
-                timesteps: s.state.timesteps,
-                positions: s.state.drones,
-            });
-        }
-        if at == to {
-            break;
+        let line = Rule::of(scenario)?.line(&scenario.start)?;
+        let (_, last) = selection.unit.tick_and_step(scenario, selection.last());
+        line.refuse_beyond_memory(selection.unit.name(), last)?;
+        let jumps = engine::jump_is_faster(&line, last, selection.steps(scenario));
+        Ok(if jumps {
+            Self::Jump(line.into())
+        } else {
+            Self::Step(step::Run::new(line, last).into())
+        })
+    }
+
+    fn after(&mut self, scenario: &Scenario, wanted: u64) -> Positions {
+        match self {
+            Self::Step(run) => run.advance_to(wanted).answer().into(),
+            Self::Jump(line) => jump::after(line, wanted, engine::multiplier()).into(),
+            Self::Spec { k, drones } => {
+                while *k < wanted {
+                    *drones = simulate::step(scenario, std::mem::take(drones));
+                    *k += 1;
+                }
+                drones.clone().into()
+            }
         }
     }
-    Ok(Trace { scenario, selection, rows })
 }
 
 fn refuse_endless(scenario: &Scenario, unit: Unit, to: u64) -> Result<()> {
-    let steps = match unit {
-        Unit::Steps => to as f64,
-        Unit::Ticks => to as f64 / f64::from(scenario.period),
-    };
+    let steps = unit.tick_and_step(scenario, to).1 as f64;
     let drones = scenario.count() as f64;
     let bits = scenario.weight.denom().to_f64().unwrap_or(f64::MAX).log2().max(1.0);
-    let work = drones * steps * (steps * bits / 128.0 + 1.0) + to as f64;
-    if work <= MAX_WORK {
+    if drones * steps * (steps * bits / 128.0 + 1.0) <= MAX_WORK {
         return Ok(());
     }
     let name = unit.name();
@@ -141,4 +200,82 @@ fn refuse_endless(scenario: &Scenario, unit: Unit, to: u64) -> Result<()> {
         scenario.weight,
         steps * bits
     )))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::scenario::parse;
+
+    fn scenario(rest: &str) -> Scenario {
+        let text = format!("start = [0, 10, 20, 30, 100]\nweight = 0.2\n{rest}");
+        parse("test", &text).unwrap().finish().unwrap()
+    }
+
+    /// Against the spec, tick by tick.
+    #[test]
+    fn rows_are_the_run() {
+        let mut compared = 0;
+        for rest in [
+            "",
+            "period = 3",
+            "period = 4\nphase = \"last\"",
+            "protocol = \"consensus\"\nperiod = 2",
+            "protocol = \"consensus\"\ngraph = \"ring\"\nperiod = 2\nphase = \"last\"",
+            "protocol = \"formation\"\ndisplacement = [1, 0, 2, 0, -1]",
+        ] {
+            let s = scenario(rest);
+            let ticks: Vec<_> = simulate::run(&s).take(40).collect();
+            for (from, every) in [(0, 1), (3, 7)] {
+                let wanted = ticks.iter().skip(from).step_by(every);
+                let selection =
+                    Selection { unit: Unit::Ticks, from: from as u64, to: 39, every: every as u64 };
+                let rows: Vec<_> = select(&s, selection).unwrap().collect();
+                assert_eq!(rows.len() as u64, selection.len());
+                for (row, t) in rows.iter().zip(wanted) {
+                    assert_eq!((row.tick, row.step), (t.tick, t.step), "{rest}");
+                    assert_eq!(row.timesteps, t.state.timesteps, "{rest}, tick {}", t.tick);
+                    assert_eq!(row.positions.lowest(), t.state.drones, "{rest}");
+                    compared += 1;
+                }
+            }
+            let selection = Selection { unit: Unit::Steps, from: 0, to: 9, every: 2 };
+            for row in select(&s, selection).unwrap() {
+                let of_step = ticks.iter().find(|t| t.step == row.step).unwrap();
+                assert_eq!((row.tick, row.timesteps), (of_step.tick, of_step.state.timesteps));
+                assert_eq!(row.positions.lowest(), of_step.state.drones);
+                compared += 1;
+            }
+        }
+        assert_eq!(compared, 6 * (40 + 6 + 5));
+    }
+
+    #[test]
+    fn ticks_are_counted_without_walking_them() {
+        let s = scenario("period = 4_000_000_000\nphase = \"last\"");
+        let selection = Selection { unit: Unit::Steps, from: 1, to: 9, every: 4 };
+        let ticks: Vec<_> = select(&s, selection).unwrap().map(|r| r.tick).collect();
+        assert_eq!(ticks, [4_000_000_000, 20_000_000_000, 36_000_000_000]);
+        let selection =
+            Selection { unit: Unit::Ticks, from: 0, to: 9_000_000_001, every: 9_000_000_000 };
+        let rows: Vec<_> = select(&s, selection).unwrap().collect();
+        assert_eq!((rows[1].step, rows[1].timesteps), (2, 1_000_000_000));
+        assert_eq!((rows[0].step, rows[0].timesteps), (0, 0));
+        let beyond = Selection { unit: Unit::Steps, from: u64::MAX, to: u64::MAX, every: 1 };
+        let said = select(&s, beyond).err().unwrap().to_string();
+        assert!(said.contains("expected a step whose tick"), "{said}");
+    }
+
+    #[test]
+    fn far_rows_are_jumped_to_and_near_ones_stepped_to() {
+        let s = scenario("");
+        let source = |from, to, every| {
+            Source::of(&s, Selection { unit: Unit::Steps, from, to, every }).unwrap()
+        };
+        assert!(matches!(source(200_000, 200_000, 1), Source::Jump(_)));
+        assert!(matches!(source(0, 200_000, 200_000), Source::Jump(_)));
+        assert!(matches!(source(0, 200, 1), Source::Step(_)));
+        assert!(matches!(source(0, 200_000, 1), Source::Step(_)));
+    }
 }

@@ -5,7 +5,8 @@ use std::io::Write;
 use super::Numbers;
 use cordon_core::Result;
 use cordon_core::exact;
-use cordon_run::trace::Trace;
+use cordon_run::scenario::Scenario;
+use cordon_run::trace::Row;
 
 /// Writes a head line, then one line a row: step, tick, time in seconds where there is a
 /// clock, and for every drone its position as a fraction (`x1`), a decimal (`x1_decimal`) or
@@ -13,13 +14,19 @@ use cordon_run::trace::Trace;
 ///
 /// # Errors
 /// `out` cannot be written.
-pub fn csv(trace: &Trace<'_>, numbers: Numbers, digits: usize, out: &mut dyn Write) -> Result<()> {
-    let timed = trace.scenario.tau.is_some();
+pub fn csv(
+    scenario: &Scenario,
+    rows: &mut dyn Iterator<Item = Row>,
+    numbers: Numbers,
+    digits: usize,
+    out: &mut dyn Write,
+) -> Result<()> {
+    let timed = scenario.tau.is_some();
     write!(out, "step,tick")?;
     if timed {
         write!(out, ",time")?;
     }
-    for i in 0..trace.scenario.count() {
+    for i in 0..scenario.count() {
         if numbers != Numbers::Decimal {
             write!(out, ",x{i}")?;
         }
@@ -28,17 +35,25 @@ pub fn csv(trace: &Trace<'_>, numbers: Numbers, digits: usize, out: &mut dyn Wri
         }
     }
     writeln!(out)?;
-    for row in &trace.rows {
+    for row in rows {
         write!(out, "{},{}", row.step, row.tick)?;
-        if let Some(t) = trace.time(row) {
+        if let Some(t) = scenario.time(row.tick) {
             write!(out, ",{}", exact::decimal_string(&t, digits))?;
         }
-        for x in &row.positions {
-            if numbers != Numbers::Decimal {
+        let fractions = match numbers {
+            Numbers::Decimal => Vec::new(),
+            Numbers::Fraction | Numbers::Both => row.positions.lowest(),
+        };
+        let decimals = match numbers {
+            Numbers::Fraction => Vec::new(),
+            Numbers::Decimal | Numbers::Both => row.positions.decimals(digits),
+        };
+        for i in 0..scenario.count() {
+            if let Some(x) = fractions.get(i) {
                 write!(out, ",{}", exact::fraction(x))?;
             }
-            if numbers != Numbers::Fraction {
-                write!(out, ",{}", exact::decimal_string(x, digits))?;
+            if let Some(x) = decimals.get(i) {
+                write!(out, ",{x}")?;
             }
         }
         writeln!(out)?;

@@ -6,27 +6,32 @@ use serde_json::{Value, json};
 
 use cordon_core::Result;
 use cordon_core::exact::Rational;
-use cordon_run::trace::{Row, Trace};
+use cordon_run::scenario::Scenario;
+use cordon_run::trace::Row;
+
+use super::page::Page;
 
 /// Writes one ITF object: one state a row, with the variables `step`, `tick`, `timesteps` and
 /// `x`, a list of records `{num, den}` (ITF has integers, and no fractions of its own).
 ///
 /// # Errors
 /// `out` cannot be written.
-pub fn itf(trace: &Trace<'_>, out: &mut dyn Write) -> Result<()> {
-    let states: Vec<_> = trace.rows.iter().enumerate().map(|(i, r)| state(i, r)).collect();
-    let page = json!({
-        "#meta": {
-            "format": "ITF",
-            "format-description": "https://apalache-mc.org/docs/adr/015adr-trace.html",
-            "source": trace.scenario.title,
-        },
-        "params": [],
-        "vars": ["step", "tick", "timesteps", "x"],
-        "states": states,
+pub fn itf(
+    scenario: &Scenario,
+    rows: &mut dyn Iterator<Item = Row>,
+    out: &mut dyn Write,
+) -> Result<()> {
+    let meta = json!({
+        "format": "ITF",
+        "format-description": "https://apalache-mc.org/docs/adr/015adr-trace.html",
+        "source": scenario.title,
     });
-    writeln!(out, "{page:#}")?;
-    Ok(())
+    let mut page = Page::begin(out)?;
+    page.field("#meta", &meta)?;
+    page.field("params", &json!([]))?;
+    page.list("states", rows.enumerate().map(|(i, r)| state(i, &r)))?;
+    page.field("vars", &json!(["step", "tick", "timesteps", "x"]))?;
+    page.end()
 }
 
 fn state(index: usize, r: &Row) -> Value {
@@ -35,7 +40,7 @@ fn state(index: usize, r: &Row) -> Value {
         "step": big(r.step),
         "tick": big(r.tick),
         "timesteps": big(r.timesteps),
-        "x": r.positions.iter().map(fraction).collect::<Vec<_>>(),
+        "x": r.positions.lowest().iter().map(fraction).collect::<Vec<_>>(),
     })
 }
 

@@ -9,28 +9,27 @@ use serde_json::{Value, json};
 use cordon_core::Result;
 use cordon_core::exact;
 use cordon_run::scenario::{Protocol, Scenario};
-use cordon_run::trace::{Checked, Row, Trace};
+use cordon_run::trace::{Checked, Row};
+
+use super::page::Page;
 
 /// Writes one object: the scenario, the rows (fractions and decimals), the checks.
 ///
 /// # Errors
 /// `out` cannot be written.
 pub fn json(
-    trace: &Trace<'_>,
+    of: &Scenario,
+    rows: &mut dyn Iterator<Item = Row>,
     checks: &[Checked],
     digits: usize,
     out: &mut dyn Write,
 ) -> Result<()> {
-    let rows: Vec<_> = trace.rows.iter().map(|r| row(trace, r, digits)).collect();
-    let checks: Vec<_> = checks.iter().map(checked).collect();
-    let page = json!({
-        "schema": "cordon-trace/1",
-        "scenario": scenario(trace.scenario),
-        "rows": rows,
-        "checks": checks,
-    });
-    writeln!(out, "{page:#}")?;
-    Ok(())
+    let mut page = Page::begin(out)?;
+    page.field("checks", &checks.iter().map(checked).collect())?;
+    page.list("rows", rows.map(|r| row(of, &r, digits)))?;
+    page.field("scenario", &scenario(of))?;
+    page.field("schema", &json!("cordon-trace/1"))?;
+    page.end()
 }
 
 fn scenario(s: &Scenario) -> Value {
@@ -50,14 +49,14 @@ fn scenario(s: &Scenario) -> Value {
     })
 }
 
-fn row(trace: &Trace<'_>, r: &Row, digits: usize) -> Value {
+fn row(scenario: &Scenario, r: &Row, digits: usize) -> Value {
     json!({
         "step": r.step,
         "tick": r.tick,
         "timesteps": r.timesteps,
-        "time": trace.time(r).map(|t| t.to_string()),
-        "positions": r.positions.iter().map(exact::fraction).collect::<Vec<_>>(),
-        "decimals": r.positions.iter().map(|x| exact::decimal_string(x, digits)).collect::<Vec<_>>(),
+        "time": scenario.time(r.tick).map(|t| t.to_string()),
+        "positions": r.positions.lowest().iter().map(exact::fraction).collect::<Vec<_>>(),
+        "decimals": r.positions.decimals(digits),
     })
 }
 

@@ -3,6 +3,7 @@
 mod csv;
 mod itf;
 mod json;
+mod page;
 mod plot;
 mod table;
 
@@ -12,7 +13,8 @@ pub use json::json;
 pub use plot::plot;
 pub use table::table;
 
-use cordon_core::exact::{self, Rational};
+use cordon_core::exact;
+use cordon_run::trace::Positions;
 
 /// How numbers are written.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,14 +28,21 @@ pub enum Numbers {
 }
 
 impl Numbers {
-    /// One number; with `Both` the fraction follows where it is not the decimal itself.
-    fn write(self, x: &Rational, digits: usize) -> String {
+    /// The positions of a row; with `Both` the fraction follows where it is not the decimal
+    /// itself.
+    fn write(self, positions: &Positions, digits: usize) -> Vec<String> {
         // Long fractions take long to write: only those that are shown.
+        let fractions = || positions.lowest();
         match self {
-            Self::Decimal => exact::decimal_string(x, digits),
-            Self::Fraction => exact::fraction(x),
-            Self::Both if x.is_integer() => exact::fraction(x),
-            Self::Both => format!("{} = {}", exact::decimal_string(x, digits), exact::fraction(x)),
+            Self::Decimal => positions.decimals(digits),
+            Self::Fraction => fractions().iter().map(exact::fraction).collect(),
+            Self::Both => {
+                let both = |(decimal, x)| match exact::fraction(&x) {
+                    whole if x.is_integer() => whole,
+                    fraction => format!("{decimal} = {fraction}"),
+                };
+                positions.decimals(digits).into_iter().zip(fractions()).map(both).collect()
+            }
         }
     }
 }

@@ -5,8 +5,7 @@ use std::io::Write;
 use textplots::{Chart, Plot, Shape};
 
 use cordon_core::Result;
-use cordon_core::exact;
-use cordon_run::trace::{Row, Trace, Unit};
+use cordon_run::trace::{Row, Unit};
 
 /// Size of the plot in braille dots: two a column, four a line.
 const WIDTH: u32 = 140;
@@ -17,21 +16,20 @@ const HEIGHT: u32 = 60;
 ///
 /// # Errors
 /// `out` cannot be written.
-pub fn plot(trace: &Trace<'_>, out: &mut dyn Write) -> Result<()> {
-    let at = |row: &Row| match trace.selection.unit {
+pub fn plot(unit: Unit, rows: &[Row], out: &mut dyn Write) -> Result<()> {
+    let at = |row: &Row| match unit {
         Unit::Steps => row.step as f32,
         Unit::Ticks => row.tick as f32,
     };
-    let [first, .., last] = trace.rows.as_slice() else {
+    let [first, .., last] = rows else {
         return Ok(());
     };
-    let lines: Vec<Vec<(f32, f32)>> = (0..trace.scenario.count())
-        .map(|i| {
-            let point =
-                |row: &Row| row.positions.get(i).map(|x| (at(row), exact::to_f64(x) as f32));
-            trace.rows.iter().filter_map(point).collect()
-        })
-        .collect();
+    let mut lines: Vec<Vec<(f32, f32)>> = vec![Vec::new(); first.positions.doubles().len()];
+    for row in rows {
+        for (line, x) in lines.iter_mut().zip(row.positions.doubles()) {
+            line.push((at(row), x as f32));
+        }
+    }
     let shapes: Vec<Shape<'_>> = lines.iter().map(|l| Shape::Lines(l)).collect();
     let mut chart = Chart::new(WIDTH, HEIGHT, at(first), at(last));
     let mut plotted: &mut Chart<'_> = &mut chart;
@@ -40,7 +38,7 @@ pub fn plot(trace: &Trace<'_>, out: &mut dyn Write) -> Result<()> {
     }
     plotted.axis();
     plotted.figures();
-    writeln!(out, "\nposition against {}", trace.selection.unit.name())?;
+    writeln!(out, "\nposition against {}", unit.name())?;
     writeln!(out, "{plotted}")?;
     Ok(())
 }

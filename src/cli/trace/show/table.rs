@@ -2,33 +2,42 @@
 
 use std::io::Write;
 
-use comfy_table::{CellAlignment, Table, presets};
 use cordon_core::theorems;
 use cordon_spec::Phase;
 use cordon_spec::theorems::Verdict;
 
 use super::Numbers;
+use crate::cli::aligned::aligned;
 use cordon_core::Result;
 use cordon_core::exact;
 use cordon_run::scenario::{Protocol, Scenario};
-use cordon_run::trace::{Checked, Trace};
+use cordon_run::trace::{Checked, Row, Selection, decimal_widths};
 
-/// Writes what was run, the rows, and below them what was checked.
+/// Writes what was run, the rows, and below them what was checked. Rows of a known selection are
+/// written one by one where their widths are known without them.
 ///
 /// # Errors
 /// `out` cannot be written.
 pub fn table(
-    trace: &Trace<'_>,
+    scenario: &Scenario,
+    rows: &mut dyn Iterator<Item = Row>,
     checks: &[Checked],
     numbers: Numbers,
     digits: usize,
+    selection: Option<Selection>,
     out: &mut dyn Write,
 ) -> Result<()> {
-    heading(trace.scenario, out)?;
-    let mut table = Table::new();
-    table.load_preset(presets::NOTHING);
-    let timed = trace.scenario.tau.is_some();
-    let ticked = trace.scenario.period > 1 || timed;
+    heading(scenario, out)?;
+    let timed = scenario.tau.is_some();
+    let ticked = scenario.period > 1 || timed;
+    let counters = |tick: u64, step: u64| {
+        let mut cells = vec![step.to_string()];
+        if ticked {
+            cells.push(tick.to_string());
+        }
+        cells.extend(scenario.time(tick).map(|t| exact::decimal_string(&t, 2)));
+        cells
+    };
     let mut head = vec!["step".to_owned()];
     if ticked {
         head.push("tick".to_owned());
@@ -36,28 +45,23 @@ pub fn table(
     if timed {
         head.push("t [s]".to_owned());
     }
-    head.extend((0..trace.scenario.count()).map(|i| format!("x{i}")));
+    // Known beforehand, of decimals only.
+    let widths = selection.filter(|_| numbers == Numbers::Decimal && checks.is_empty());
+    let widths = widths.and_then(|rows| {
+        let (tick, step) = rows.unit.tick_and_step(scenario, rows.last());
+        let mut widths: Vec<usize> = counters(tick, step).iter().map(String::len).collect();
+        widths.extend(decimal_widths(scenario, rows, digits)?);
+        Some(widths)
+    });
+    head.extend((0..scenario.count()).map(|i| format!("x{i}")));
     head.extend(checks.iter().map(|c| c.theorem.number().to_owned()));
-    table.set_header(head);
-    for row in &trace.rows {
-        let mut cells = vec![row.step.to_string()];
-        if ticked {
-            cells.push(row.tick.to_string());
-        }
-        if let Some(t) = trace.time(row) {
-            cells.push(exact::decimal_string(&t, 2));
-        }
-        cells.extend(row.positions.iter().map(|x| numbers.write(x, digits)));
+    let lines = rows.map(|row| {
+        let mut cells = counters(row.tick, row.step);
+        cells.extend(numbers.write(&row.positions, digits));
         cells.extend(checks.iter().map(|c| mark(c.verdicts.get(&row.step)).to_owned()));
-        table.add_row(cells);
-    }
-    for column in table.column_iter_mut() {
-        column.set_cell_alignment(CellAlignment::Right);
-        column.set_padding((0, 2));
-    }
-    for line in table.lines() {
-        writeln!(out, "{}", line.trim_end())?;
-    }
+        cells
+    });
+    aligned(&head, widths.as_deref(), lines, out)?;
     if !checks.is_empty() {
         writeln!(out)?;
     }

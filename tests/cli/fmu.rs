@@ -142,6 +142,13 @@ fn the_rules_of_the_standards_hold() {
     refused(s.set(tau, &Value::Text("0".into())), "expected a positive number of seconds");
     refused(s.set(99, &Value::Real(0.0)), "value reference 99: expected less than 30");
     refused(s.set(x0, &Value::Boolean(true)), "expected real, found boolean");
+    let mut endless = slave(model, FmiVersion::V2);
+    begin(&mut endless);
+    for seconds in [1e300, f64::INFINITY, 4e8] {
+        refused(endless.do_step(0.0, seconds), " s: expected ");
+    }
+    assert_eq!(endless.time(), 0.0);
+    endless.do_step(0.0, 50.0).unwrap();
     s.set_up(2.0, Some(2.5)).unwrap();
     s.enter_initialisation().unwrap();
     s.set(tau, &Value::Text("1/30".into())).unwrap();
@@ -195,6 +202,11 @@ fn an_export_is_the_same_every_time_and_appears_whole_or_not_at_all() {
     let out = path("d.fmu");
     let args = ["fmu", "export", "plant", "--out", &out, "--binary", &nowhere];
     fails(&args, 74, &["cannot read", &nowhere]);
+    // Neither another file nor this very program is the library.
+    for other in ["Cargo.toml", env!("CARGO_BIN_EXE_cordon")] {
+        let args = ["fmu", "export", "plant", "--out", &out, "--binary", other];
+        fails(&args, 2, &[other, "expected the compiled crate `cordon-fmu`, version"]);
+    }
     let left: Vec<_> = fs::read_dir(dir.path()).unwrap().map(|e| e.unwrap().file_name()).collect();
     assert_eq!(left.len(), 2, "{left:?}");
 }

@@ -57,6 +57,10 @@ pub struct FlightArgs {
     /// How positions travel between drones: exact or double [default: exact]
     #[arg(long, value_name = "NAME", help_heading = "Flight")]
     exchange: Option<String>,
+    /// Order in which drones update, each with the new positions of those before it: at-once,
+    /// ascending, descending, or a list like 2,0,1 [default: at-once]
+    #[arg(long, value_name = "ORDER", help_heading = "Flight")]
+    order: Option<String>,
     /// Seed of the random faults [default: 0]
     #[arg(long, value_name = "NUMBER", help_heading = "Flight")]
     seed: Option<u64>,
@@ -124,6 +128,7 @@ impl FlightArgs {
             ("integrator", self.integrator.is_some()),
             ("master", self.master.is_some()),
             ("exchange", self.exchange.is_some()),
+            ("order", self.order.is_some()),
             ("seed", self.seed.is_some()),
             ("compat", self.compat.is_some()),
             ("in-process", self.in_process),
@@ -143,6 +148,7 @@ impl FlightArgs {
             integrator: self.integrator.clone(),
             master: self.master.clone(),
             exchange: self.exchange.clone(),
+            order: self.order.clone(),
             seed: self.seed,
             ..Flight::default()
         };

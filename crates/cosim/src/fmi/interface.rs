@@ -162,6 +162,10 @@ impl Model {
     }
 }
 
+/// What the binary inside exported FMUs has in it, every bit turned over, so that it is not mistaken
+/// for another one.
+pub const BINARY_MARK: &str = concat!("\u{7f}cordon-fmu ", env!("CARGO_PKG_VERSION"), "\u{7f}");
+
 /// Name of the parameter that every exported unit has besides its own: the length of a step in
 /// seconds, exact.
 pub const TAU: &str = "tau";

@@ -53,6 +53,9 @@ impl From<UnitError> for Refusal {
 /// Longest run in steps: the limit of [`Grid`].
 const MAX_STEPS: u64 = 10_000_000_000;
 
+/// Longest single call in steps, so that every call returns: six days of 0.05 s steps.
+const MAX_STEPS_A_CALL: f64 = 10_000_000.0;
+
 /// How far an importer's step may be from a whole number of steps of tau, in steps: importers
 /// compute step sizes as differences of times, in doubles.
 const STEP_NOISE: f64 = 1e-6;
@@ -341,6 +344,12 @@ impl Slave {
         if !(count >= 1.0 && (size / tau - count).abs() <= STEP_NOISE * count) {
             return Err(Refusal::error(format!(
                 "a step of `{size}` s: expected a whole multiple of the parameter `{TAU}`, `{}` s",
+                self.tau
+            )));
+        }
+        if count > MAX_STEPS_A_CALL {
+            return Err(Refusal::error(format!(
+                "a step of `{size}` s: expected at most {MAX_STEPS_A_CALL} times `{TAU}`, `{}` s",
                 self.tau
             )));
         }

@@ -137,6 +137,11 @@ fn expect_plain(swarm: &Cosimulation) -> Result<()> {
             swarm.algorithm.name()
         )));
     }
+    if swarm.order.is_some() {
+        return Err(Error::input(
+            "order: expected `at-once`, the order of steps that other tools have",
+        ));
+    }
     if let Some(substitute) = swarm.units.first() {
         return Err(Error::input(format!(
             "unit: `{}` in the place of the {} of drone {}: expected units of this program only",

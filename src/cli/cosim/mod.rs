@@ -142,6 +142,19 @@ impl FlightArgs {
     /// # Errors
     /// The scenario cannot be read, or a field is wrong.
     pub(in crate::cli) fn swarm(&self, scenario: &ScenarioArgs) -> Result<Cosimulation> {
+        self.swarm_exchanging(scenario, "exact")
+    }
+
+    /// As [`Self::swarm`]; where neither the scenario nor a flag says how positions travel, they
+    /// travel so.
+    ///
+    /// # Errors
+    /// The scenario cannot be read, or a field is wrong.
+    pub(in crate::cli) fn swarm_exchanging(
+        &self,
+        scenario: &ScenarioArgs,
+        exchange: &str,
+    ) -> Result<Cosimulation> {
         let (checked, flight, mut places) = scenario.scenario_and_flight()?;
         let flags = Flight {
             duration: self.duration.as_deref().map(|t| exact::parse("duration", t)).transpose()?,
@@ -153,7 +166,9 @@ impl FlightArgs {
             ..Flight::default()
         };
         self.given().for_each(|flag| places.replaced(flag));
-        let swarm = Cosimulation::new(checked, flight.replaced_by(flags));
+        let mut flight = flight.replaced_by(flags);
+        flight.exchange.get_or_insert(exchange.to_owned());
+        let swarm = Cosimulation::new(checked, flight);
         let mut swarm = swarm.map_err(|e| places.point(e))?;
         let isolation = self.isolation()?;
         swarm.load = Loader::new(move |fmu, unit| substitute(&isolation, fmu, unit));

@@ -245,10 +245,17 @@ impl Slave {
             _ => value.clone(),
         };
         if variable.name == TAU {
-            let Value::Exact(tau) = &value else {
-                return Err(named(&format!("expected text `p/q`, found {}", value.kind())));
+            let tau = match (variable.kind(), &value) {
+                (Kind::Exact, Value::Exact(tau)) => Some(tau.to_rational()),
+                (Kind::Real, Value::Real(tau)) => {
+                    Quotient::simplest_of(*tau).map(|t| t.to_rational())
+                }
+                _ => None,
             };
-            let tau = tau.to_rational();
+            let Some(tau) = tau else {
+                let expected = if self.model.exact_numbers() { "text `p/q`" } else { "real" };
+                return Err(named(&format!("expected {expected}, found {}", value.kind())));
+            };
             if !tau.is_positive() {
                 return Err(named(&format!("`{tau}`: expected a positive number of seconds")));
             }
@@ -268,7 +275,7 @@ impl Slave {
             return Err(Refusal::error(format!("variable `{name}`: its type is {kind}")));
         }
         if variable.name == TAU {
-            return Ok(Value::Exact(Quotient::from(&self.tau)));
+            return Ok(self.model.tau_value(&self.tau));
         }
         if self.mode == Mode::Fatal {
             return Err(Refusal::fatal("reading: the instance is of no more use"));
@@ -379,7 +386,7 @@ impl Slave {
         let mut settable = Vec::with_capacity(self.variables.len());
         for (place, variable) in self.variables.iter().enumerate() {
             settable.push(match variable.causality {
-                _ if variable.name == TAU => Some(Value::Exact(Quotient::from(&self.tau))),
+                _ if variable.name == TAU => Some(self.model.tau_value(&self.tau)),
                 Causality::Parameter | Causality::Input => Some(self.unit.get(place)?),
                 Causality::Output | Causality::Local => None,
             });

@@ -68,7 +68,7 @@ impl Assembly {
             };
             let mut settings = parameters(model, unit.as_ref())?;
             if *swarm.grid.tau() != default_tau() {
-                settings.push((TAU.to_owned(), Value::Exact(swarm.grid.tau().into())));
+                settings.push((TAU.to_owned(), model.tau_value(swarm.grid.tau())));
             }
             instances.push(Instance { name: unit.name().to_owned(), model, settings });
         }

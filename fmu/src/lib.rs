@@ -16,8 +16,27 @@
 // The names are the standard's.
 #![allow(non_snake_case)]
 
+use cordon_cosim::fmi::interface::BINARY_MARK;
+
 mod component;
 mod convert;
 mod fmi2;
 mod fmi3;
 mod fmi3_unsupported;
+
+/// The complement of [`BINARY_MARK`].
+#[unsafe(no_mangle)]
+pub static CORDON_FMU: [u8; BINARY_MARK.len()] = {
+    let mut bytes = [0; BINARY_MARK.len()];
+    bytes.copy_from_slice(BINARY_MARK.as_bytes());
+    let mut place = 0;
+    while place < bytes.len() {
+        // Within the array: a constant is computed, or the build fails.
+        #[allow(clippy::indexing_slicing)]
+        {
+            bytes[place] = !bytes[place];
+        }
+        place += 1;
+    }
+    bytes
+};

@@ -139,12 +139,19 @@ fn the_rules_of_the_standards_hold() {
     refused(s.do_step(0.0, 0.05), "the instance is not initialised");
     refused(s.exit_initialisation(), "the instance is not initialised");
     refused(s.set_up(f64::NAN, None), "expected times in order");
-    refused(s.set(tau, &Value::Text("0".into())), "expected a positive number of seconds");
+    refused(s.set(tau, &Value::Real(0.0)), "expected a positive number of seconds");
     refused(s.set(99, &Value::Real(0.0)), "value reference 99: expected less than 30");
     refused(s.set(x0, &Value::Boolean(true)), "expected real, found boolean");
+    let mut endless = slave(model, FmiVersion::V2);
+    begin(&mut endless);
+    for seconds in [1e300, f64::INFINITY, 4e8] {
+        refused(endless.do_step(0.0, seconds), " s: expected ");
+    }
+    assert_eq!(endless.time(), 0.0);
+    endless.do_step(0.0, 50.0).unwrap();
     s.set_up(2.0, Some(2.5)).unwrap();
     s.enter_initialisation().unwrap();
-    s.set(tau, &Value::Text("1/30".into())).unwrap();
+    s.set(tau, &Value::Real(1.0 / 30.0)).unwrap();
     s.set(x0, &Value::Real(4.0)).unwrap();
     s.exit_initialisation().unwrap();
     assert_eq!(s.mode(), Mode::Step);
@@ -195,6 +202,11 @@ fn an_export_is_the_same_every_time_and_appears_whole_or_not_at_all() {
     let out = path("d.fmu");
     let args = ["fmu", "export", "plant", "--out", &out, "--binary", &nowhere];
     fails(&args, 74, &["cannot read", &nowhere]);
+    // Neither another file nor this very program is the library.
+    for other in ["Cargo.toml", env!("CARGO_BIN_EXE_cordon")] {
+        let args = ["fmu", "export", "plant", "--out", &out, "--binary", other];
+        fails(&args, 2, &[other, "expected the compiled crate `cordon-fmu`, version"]);
+    }
     let left: Vec<_> = fs::read_dir(dir.path()).unwrap().map(|e| e.unwrap().file_name()).collect();
     assert_eq!(left.len(), 2, "{left:?}");
 }
@@ -219,10 +231,14 @@ fn the_binary_that_is_missing_is_named_with_the_command_that_builds_it() {
 #[test]
 fn a_multi_model_that_was_written_is_read_as_the_same_scenario() {
     crate::common::fmu_binary();
-    let cases: [(&str, &[&str]); 3] = [
-        ("scenarios/paper.toml", &[]),
+    let three =
+        ["--tau", "1/30", "--eps", "1/3", "--integrator", "exact", "--phase", "last", "--exchange"];
+    let [exact, double] = ["exact", "double"].map(|e| [&three[..], &[e]].concat());
+    let cases: [(&str, &[&str]); 4] = [
+        ("scenarios/paper.toml", &["--exchange", "exact"]),
         ("scenarios/paper-unstable.toml", &["--exchange", "double", "--duration", "10"]),
-        ("scenarios/three.toml", &["--tau", "1/30", "--integrator", "exact", "--phase", "last"]),
+        ("scenarios/three.toml", &exact),
+        ("scenarios/three.toml", &double),
     ];
     for (scenario, flags) in cases {
         let (_dir, path) = fresh();
@@ -240,6 +256,15 @@ fn a_multi_model_that_was_written_is_read_as_the_same_scenario() {
         let again = path("again");
         assert_eq!(run(&["export", "into-cps", &model, "--out", &again]).0, 0);
         let text = |folder: &str| fs::read_to_string(path(folder).as_str()).unwrap();
+        if flags.contains(&"double") {
+            // Doubles are what is exported where nothing is said.
+            let flags: Vec<&str> =
+                flags.iter().copied().filter(|f| !["--exchange", "double"].contains(f)).collect();
+            let default = path("default");
+            let export = ["export", "into-cps", scenario, "--out", &default];
+            assert_eq!(run(&[&export[..], &flags].concat()).0, 0);
+            assert_eq!(text("system/multi-model.json"), text("default/multi-model.json"));
+        }
         assert_eq!(text("system/multi-model.json"), text("again/multi-model.json"));
     }
 }
@@ -249,7 +274,8 @@ fn what_is_no_swarm_is_refused_by_name() {
     crate::common::fmu_binary();
     let (_dir, path) = fresh();
     let scenario = "scenarios/paper.toml";
-    assert_eq!(run(&["export", "into-cps", scenario, "--out", &path("")]).0, 0);
+    let export = ["export", "into-cps", scenario, "--exchange", "exact", "--out", &path("")];
+    assert_eq!(run(&export).0, 0);
     let model = path("multi-model.json");
     let text = fs::read_to_string(&model).unwrap();
     let mut tried = 0;

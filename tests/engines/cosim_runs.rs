@@ -1,12 +1,13 @@
 //! Co-simulated runs against what was recorded, printed and proved (PROTOCOL sections 3, 5).
 use crate::common::{q, qs};
-use cordon_core::exact::decimal_string;
+use cordon_core::exact::{self, decimal_string};
 use cordon_cosim::collision::EventKind;
 use cordon_cosim::cosimulation::Cosimulation;
 use cordon_cosim::record::Record;
 use cordon_cosim::{exact_run, run, store};
 use cordon_run::scenario::{self, Draft, Flight, Start};
 use cordon_run::simulate;
+use cordon_spec::coverage::exec_coverage;
 
 fn swarm_of(file: &str) -> Cosimulation {
     let draft = scenario::read(file.as_ref()).unwrap();
@@ -186,6 +187,55 @@ fn desired_positions_are_the_specs_run_rounded_once() {
         }
     }
     assert_eq!(compared, 6 * 501);
+}
+
+/// Each drone in turn takes its share of the spec's step, on what the others have by then.
+#[test]
+fn drones_that_update_in_an_order_hear_the_new_positions_of_those_before() {
+    let orders = [
+        ("ascending", [0, 1, 2, 3, 4]),
+        ("descending", [4, 3, 2, 1, 0]),
+        ("2,0,4,1,3", [2, 0, 4, 1, 3]),
+    ];
+    let mut compared = 0;
+    let flight = |order: &str, master: &str| Flight {
+        duration: Some(q("4")),
+        order: Some(order.to_owned()),
+        master: Some(master.to_owned()),
+        ..Flight::default()
+    };
+    let at_once = flown(&paper(2, "coverage", flight("at-once", "jacobi")));
+    for (text, order) in orders {
+        let swarm = paper(2, "coverage", flight(text, "jacobi"));
+        let params = swarm.scenario.params().unwrap();
+        let record = flown(&swarm);
+        assert!(record.setup.clone().unwrap().flown_with().contains("updates in the order"));
+        let mut state = swarm.scenario.initial();
+        for row in 0..record.rows() {
+            // Updates are in the ticks 1, 5, 9, ..
+            if row % 4 == 1 {
+                for i in order {
+                    state.drones[i] = exec_coverage(&params, &state).drones[i].clone();
+                }
+            }
+            let expected: Vec<f64> = state.drones.iter().map(exact::to_f64).collect();
+            assert_eq!(record.desired_at(row), expected, "{text}, row {row}");
+            compared += 1;
+        }
+        assert_ne!(record.desired, at_once.desired, "{text}");
+        let seidel = flown(&paper(2, "coverage", flight(text, "gauss-seidel")));
+        assert_eq!(seidel.desired, record.desired, "{text}: whatever the master");
+        let recorded = flown(&swarm.as_recorded().unwrap());
+        let distance = |(a, b): (&f64, &f64)| (a - b).abs();
+        let most = recorded.desired.iter().zip(&record.desired).map(distance).fold(0.0, f64::max);
+        assert!(most > 0.0 && most < 0.01, "six digits: {most}");
+    }
+    assert_eq!(compared, 3 * 81);
+    for wrong in ["upwards", "0,1,2", "0,1,2,3,3", "0,1,2,3,5", ""] {
+        let draft = swarm_of("scenarios/paper.toml").scenario;
+        let why = Cosimulation::new(draft, flight(wrong, "jacobi")).unwrap_err().to_string();
+        assert!(why.starts_with(&format!("order: `{wrong}`: expected")), "{why}");
+    }
 }
 
 #[test]

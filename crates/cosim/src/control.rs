@@ -95,14 +95,15 @@ impl Law {
     }
 
     /// The law of the recorded runs: doubles computed from single-precision constants, of
-    /// which C_z and C_phi were computed before they were rounded.
+    /// which C_z and C_phi were computed before they were rounded. The wanted yaw was no constant
+    /// but an input, a double.
     fn recorded(body: &Body, gains: Gains) -> Self {
         let nominal = Self::new(body, gains);
         let rounded = Gains { position: single(gains.position), attitude: single(gains.attitude) };
         Self {
             climb: single(nominal.climb),
             roll: single(nominal.roll),
-            ..Self::new(&body.in_single_precision(), rounded)
+            ..Self::new(&Body { yaw: body.yaw, ..body.in_single_precision() }, rounded)
         }
     }
 
@@ -280,5 +281,30 @@ impl Resumable for Control {
     fn recall(&mut self, memory: &[Value]) -> Result<(), UnitError> {
         self.rotors = recalled_reals(self, memory)?;
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use super::*;
+
+    /// A drone at its place with the yaw that is wanted, which no single-precision number is, has
+    /// nothing to correct.
+    #[test]
+    fn the_wanted_yaw_of_the_recorded_arithmetic_is_a_double() {
+        let grid = Grid::new(cordon_core::Rational::new(1.into(), 20.into()), 1).unwrap();
+        let mut rotors = Vec::new();
+        for actual in [0.1, f64::from(0.1f32)] {
+            let body = Body { yaw: 0.1, ..Body::default() };
+            let mut control = Control::new("c", Gains::default()).with_body(body).as_recorded();
+            control.set(var::STATE + 8, &Value::Real(actual)).unwrap();
+            control.initialise(&grid).unwrap();
+            control.do_step(&grid, 0).unwrap();
+            rotors.push(control.rotors);
+        }
+        assert!(rotors[0].iter().all(|w| *w == 0.0), "{rotors:?}");
+        assert!(rotors[1].iter().all(|w| *w != 0.0), "{rotors:?}");
     }
 }

@@ -42,6 +42,15 @@ impl Exchange {
         }
     }
 
+    /// A parameter's value as units with this exchange have it: exact where positions are, else a
+    /// double that stands for a [simple fraction](Quotient::simplest_of).
+    pub fn parameter(self, x: &Rational) -> Value {
+        match self {
+            Self::Exact => Value::Exact(Quotient::from(x)),
+            Self::Double | Self::SixDigits => Value::Real(exact::to_f64(x)),
+        }
+    }
+
     /// A received position as an exact number; `None` where it is no finite number or another
     /// type.
     fn receive(self, value: &Value) -> Option<Quotient> {
@@ -170,9 +179,17 @@ impl Coordination {
     }
 
     fn exact(&self, variable: usize, value: &Value) -> Result<Rational, UnitError> {
+        let expected = self.settings.exchange.kind();
         match value {
-            Value::Exact(x) => Ok(x.to_rational()),
-            other => Err(wrong_kind(self, variable, Kind::Exact, other)),
+            Value::Exact(x) if expected == Kind::Exact => Ok(x.to_rational()),
+            Value::Real(x) if expected == Kind::Real => match Quotient::simplest_of(*x) {
+                Some(fraction) => Ok(fraction.to_rational()),
+                None => {
+                    let what = format!("`{x}`: expected a finite number");
+                    Err(at_variable(self, variable, what))
+                }
+            },
+            other => Err(wrong_kind(self, variable, expected, other)),
         }
     }
 
@@ -200,15 +217,21 @@ impl Coordination {
             Slot::Start => self.settings.start = self.exact(variable, value)?,
             Slot::Period => self.settings.period = self.whole(variable, value, 1)?,
             Slot::FirstUpdate => {
-                let Value::Text(text) = value else {
-                    return Err(wrong_kind(self, variable, Kind::Text, value));
-                };
-                self.settings.phase = match &**text {
-                    "first" => Phase::First,
-                    "last" => Phase::Last,
+                let is_exact = self.settings.exchange == Exchange::Exact;
+                self.settings.phase = match value {
+                    Value::Text(text) if is_exact => match &**text {
+                        "first" => Phase::First,
+                        "last" => Phase::Last,
+                        other => {
+                            let what = format!("`{other}`: expected `first` or `last`");
+                            return Err(at_variable(self, variable, what));
+                        }
+                    },
+                    Value::Boolean(false) if !is_exact => Phase::First,
+                    Value::Boolean(true) if !is_exact => Phase::Last,
                     other => {
-                        let what = format!("`{other}`: expected `first` or `last`");
-                        return Err(at_variable(self, variable, what));
+                        let expected = if is_exact { Kind::Text } else { Kind::Boolean };
+                        return Err(wrong_kind(self, variable, expected, other));
                     }
                 };
             }
@@ -244,14 +267,14 @@ impl Coordination {
     }
 
     fn parameter(&self, slot: Slot) -> Option<Value> {
-        let exact = |x: &Rational| Value::Exact(Quotient::from(x));
+        let exact = |x: &Rational| self.settings.exchange.parameter(x);
         let whole = |n: usize| i64::try_from(n).ok().map(Value::Integer);
         let s = &self.settings;
         match (slot, &s.law) {
             (Slot::Weight, _) => Some(exact(&s.weight)),
             (Slot::Start, _) => Some(exact(&s.start)),
             (Slot::Period, _) => Some(Value::Integer(s.period.into())),
-            (Slot::FirstUpdate, _) => Some(table::phase_value(s.phase)),
+            (Slot::FirstUpdate, _) => Some(table::phase_value(s.exchange, s.phase)),
             (Slot::SkipLost, _) => Some(Value::Boolean(s.on_loss == OnLoss::Skip)),
             (Slot::Id, Law::Coverage { id, .. }) => whole(*id),
             (Slot::Count, Law::Coverage { count, .. }) => whole(*count),

@@ -43,6 +43,9 @@ pub struct Cosimulation {
     pub exchange: Exchange,
     /// What a drone does where a message was lost.
     pub on_loss: OnLoss,
+    /// The order in which drones update, each with the new positions of those before it; `None`
+    /// where all update at once, as the protocol has it.
+    pub order: Option<Vec<usize>>,
     /// What goes wrong.
     pub faults: Vec<Fault>,
     /// FMUs in the place of units.
@@ -154,6 +157,7 @@ impl Cosimulation {
                 "skip" => Some(OnLoss::Skip),
                 _ => None,
             })?,
+            order: flight.order.map(|order| ordered(&order, count)).transpose()?.flatten(),
             faults: flight.faults,
             units: flight.units,
             load: Loader::new(no_loader),
@@ -340,10 +344,14 @@ impl Cosimulation {
             let neighbours = self.neighbours(i);
             for (k, &j) in neighbours.iter().enumerate() {
                 let (from, to) = (port(j, sent)?, port(i, self.input(i, k, j))?);
-                // Positions are exchanged all at once, whatever the master: never in place.
+                // Positions are exchanged all at once, whatever the master, unless an order is said.
+                let timing = match &self.order {
+                    Some(order) if before(order, j, i) => Timing::Ordered,
+                    _ => Timing::Sampled,
+                };
                 match faults.link(j, i) {
-                    Some(link) => wiring.connect_through(from, to, Timing::Sampled, Box::new(link)),
-                    None => wiring.connect(from, to, Timing::Sampled),
+                    Some(link) => wiring.connect_through(from, to, timing, Box::new(link)),
+                    None => wiring.connect(from, to, timing),
                 }
             }
             if matches!(self.scenario.protocol, Protocol::Coverage { .. }) {
@@ -387,8 +395,38 @@ impl Cosimulation {
             tau: self.grid.tau().clone(),
             integrator: self.integrator.name().to_owned(),
             master: self.algorithm.name().to_owned(),
+            order: self.order.clone(),
             recorded: self.recorded,
             fmus: self.units.iter().map(flown).collect(),
+        }
+    }
+}
+
+/// Whether a drone updates before another.
+fn before(order: &[usize], drone: usize, other: usize) -> bool {
+    let place = |i: usize| order.iter().position(|d| *d == i);
+    place(drone) < place(other)
+}
+
+/// The order of updates that a scenario says; `None` for all at once.
+fn ordered(text: &str, count: usize) -> Result<Option<Vec<usize>>> {
+    let fail = || {
+        Error::input(format!(
+            "order: `{text}`: expected `at-once`, `ascending`, `descending`, or each of the \
+             drones 0 to {} once, separated by commas",
+            count - 1
+        ))
+    };
+    match text {
+        "at-once" => Ok(None),
+        "ascending" => Ok(Some((0..count).collect())),
+        "descending" => Ok(Some((0..count).rev().collect())),
+        list => {
+            let parsed = list.split(',').map(|d| d.trim().parse::<usize>().map_err(|_| fail()));
+            let order: Vec<usize> = parsed.collect::<Result<_>>()?;
+            let mut sorted = order.clone();
+            sorted.sort_unstable();
+            if sorted.into_iter().eq(0..count) { Ok(Some(order)) } else { Err(fail()) }
         }
     }
 }

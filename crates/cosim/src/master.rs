@@ -89,26 +89,23 @@ impl Master {
     /// variable.
     pub fn new(wiring: Wiring, grid: Grid, algorithm: Algorithm) -> Result<Self> {
         wiring.check()?;
-        let sampled = order::connections(&wiring, |c| {
-            algorithm == Algorithm::Jacobi || c.timing == Timing::Sampled
-        })?;
-        let in_order = match algorithm {
-            Algorithm::GaussSeidel => order::units(&wiring)?,
-            Algorithm::Jacobi => (0..wiring.units.len()).collect(),
-        };
+        let mut wiring = wiring;
+        if algorithm == Algorithm::Jacobi {
+            let immediate = wiring.connections.iter_mut().filter(|c| c.timing == Timing::Immediate);
+            immediate.for_each(|c| c.timing = Timing::Sampled);
+        }
+        let sampled = order::connections(&wiring, |c| c.timing == Timing::Sampled)?;
+        let in_order = order::units(&wiring)?;
+        let all_sampled = wiring.connections.iter().all(|c| c.timing == Timing::Sampled);
         let feeds_through = wiring.connections.iter().any(|c| {
             let unit = wiring.units.get(c.from.unit);
             let variable = unit.and_then(|u| u.variables().get(c.from.variable));
             variable.is_some_and(|v| !v.feedthrough.is_empty())
         });
-        let at_once = algorithm == Algorithm::Jacobi && !feeds_through;
+        let at_once = algorithm == Algorithm::Jacobi && all_sampled && !feeds_through;
         let mut master = Self::assemble(wiring, grid, sampled, in_order)?;
         if at_once {
             master.schedule = Schedule::AtOnce;
-        }
-        if algorithm == Algorithm::Jacobi {
-            let inputs = master.cells.iter_mut().flat_map(|c| &mut c.inputs);
-            inputs.for_each(|i| i.timing = Timing::Sampled);
         }
         master.initialise()?;
         Ok(master)
@@ -265,7 +262,7 @@ impl Master {
                     let immediate: Vec<usize> =
                         self.cells.get(unit).map_or_else(Vec::new, |cell| {
                             let inputs = cell.inputs.iter().enumerate();
-                            let immediate = inputs.filter(|(_, i)| i.timing == Timing::Immediate);
+                            let immediate = inputs.filter(|(_, i)| i.timing != Timing::Sampled);
                             immediate.map(|(place, _)| place).collect()
                         });
                     for place in immediate {

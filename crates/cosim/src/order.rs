@@ -49,7 +49,7 @@ pub(super) fn connections(
 /// An algebraic loop.
 pub(super) fn units(wiring: &Wiring) -> Result<Vec<usize>> {
     let mut sources: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); wiring.units.len()];
-    for c in wiring.connections.iter().filter(|c| c.timing == Timing::Immediate) {
+    for c in wiring.connections.iter().filter(|c| c.timing != Timing::Sampled) {
         if let Some(set) = sources.get_mut(c.to.unit) {
             set.insert(c.from.unit);
         }
@@ -58,7 +58,7 @@ pub(super) fn units(wiring: &Wiring) -> Result<Vec<usize>> {
     let before = |u: usize| sources.get(u).map(|s| s.iter().copied().collect()).unwrap_or_default();
     sorted(&all, before).map_err(|cycle| {
         let within = |c: &&Connection| {
-            c.timing == Timing::Immediate
+            c.timing != Timing::Sampled
                 && cycle.contains(&c.to.unit)
                 && cycle.contains(&c.from.unit)
         };

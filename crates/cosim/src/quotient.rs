@@ -63,6 +63,28 @@ impl Quotient {
         Self::new(num, &a.den * &b.den).to_f64().abs()
     }
 
+    /// The first convergent of which a double is the nearest one, a simple fraction: `1/3` of
+    /// `0.3333333333333333`, `1/5` of `0.2`. `None` where the double is not finite.
+    ///
+    /// Parameters that were fractions before they travelled as doubles are so again.
+    pub fn simplest_of(x: f64) -> Option<Self> {
+        let exact = Rational::from_float(x)?;
+        // Convergents of the continued fraction: the first that rounds to the double.
+        let (mut rest, mut before, mut last) =
+            (exact.clone(), (BigInt::default(), BigInt::one()), (BigInt::one(), BigInt::default()));
+        loop {
+            let whole = rest.floor().to_integer();
+            let num = &whole * &last.0 + &before.0;
+            let den = &whole * &last.1 + &before.1;
+            let convergent = Rational::new(num.clone(), den.clone());
+            if exact::to_f64(&convergent) == x || rest.is_integer() {
+                return Some(Self::from(&convergent));
+            }
+            rest = (rest - Rational::from_integer(whole)).recip();
+            before = std::mem::replace(&mut last, (num, den));
+        }
+    }
+
     /// The exact number that a double is; `None` where it is not finite.
     pub fn from_f64(x: f64) -> Option<Self> {
         Rational::from_float(x).map(|r| Self::from(&r))
@@ -133,5 +155,30 @@ ring_operators!(
 impl Scalar for Quotient {
     fn from_int(n: i32) -> Self {
         Self::new(n.into(), BigUint::one())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use super::*;
+
+    #[test]
+    fn fractions_survive_the_way_through_doubles() {
+        let mut compared = 0;
+        for den in 1..=60 {
+            for num in -120..=120 {
+                let fraction = Rational::new(num.into(), den.into());
+                let back = Quotient::simplest_of(exact::to_f64(&fraction)).unwrap();
+                assert_eq!(back.to_rational(), fraction);
+                compared += 1;
+            }
+        }
+        assert_eq!(compared, 60 * 241);
+        for x in [0.1 + 0.2, f64::MIN_POSITIVE, 1e300, -7.25e-9, std::f64::consts::PI] {
+            assert_eq!(Quotient::simplest_of(x).unwrap().to_f64(), x);
+        }
+        assert_eq!(Quotient::simplest_of(f64::NAN), None);
     }
 }

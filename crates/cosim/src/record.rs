@@ -43,6 +43,8 @@ pub struct Setup {
     pub integrator: String,
     /// `jacobi` or `gauss-seidel`.
     pub master: String,
+    /// In which order drones updated, where it was not all at once.
+    pub order: Option<Vec<usize>>,
     /// Whether the arithmetic was that of the authors' recorded runs.
     pub recorded: bool,
     /// FMUs in the place of units.
@@ -62,6 +64,12 @@ impl Setup {
     /// What moved the drones, in words: the plants, the master, and whatever is unusual.
     pub fn flown_with(&self) -> String {
         let mut text = format!("{} plant, {} master", self.integrator, self.master);
+        if let Some(order) = &self.order {
+            let first = order.iter().take(MOST_LISTED).map(usize::to_string);
+            let first: Vec<_> = first.collect();
+            let rest = if order.len() > MOST_LISTED { ", .." } else { "" };
+            text.push_str(&format!(", updates in the order {}{rest}", first.join(", ")));
+        }
         if self.recorded {
             text.push_str(", arithmetic of the recorded runs");
         }
@@ -89,7 +97,7 @@ impl Setup {
     }
 }
 
-/// FMUs that are listed in words; the rest is counted.
+/// FMUs and drones that are listed in words.
 const MOST_LISTED: usize = 6;
 
 impl Record {

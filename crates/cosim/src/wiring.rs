@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use super::unit::{Causality, Unit, UnitError, Value, Variable, at_variable};
-use cordon_core::{Error, Result};
+use cordon_core::Result;
 
 /// A variable of a unit, by its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -15,14 +15,16 @@ pub struct Port {
     pub variable: usize,
 }
 
-/// Which value a connection carries under a Gauss-Seidel master. Under a Jacobi master every
-/// connection is [`Sampled`](Timing::Sampled).
+/// Which value a connection carries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Timing {
     /// The source's value at the beginning of the step.
     Sampled,
-    /// The source's value after its step: the source is stepped before the target.
+    /// The source's value after its step, under a Gauss-Seidel master: the source is stepped
+    /// before the target. Under a Jacobi master it is sampled.
     Immediate,
+    /// The source's value after its step, whatever the master.
+    Ordered,
 }
 
 /// What carries messages along a connection; the perfect link is none at all.
@@ -69,9 +71,7 @@ impl Wiring {
     pub fn port(&self, unit: usize, variable: &str) -> Result<Port> {
         let Some(named) = self.units.get(unit) else {
             let what = format!("expected one of the {} units", self.units.len());
-            return Err(Error::internal(format!(
-                "unit number {unit}, variable `{variable}`: {what}"
-            )));
+            return Err(UnitError::new(&format!("number {unit}"), Some(variable), what).into());
         };
         let table = named.variables();
         match table.iter().position(|v| v.name == variable) {
@@ -213,7 +213,7 @@ impl Wiring {
             Some(unit) => at_variable(unit.as_ref(), port.variable, what).into(),
             None => {
                 let what = format!("expected one of the {} units", self.units.len());
-                Error::internal(format!("unit number {}: {what}", port.unit))
+                UnitError::new(&format!("number {}", port.unit), None, what).into()
             }
         }
     }

@@ -57,6 +57,10 @@ pub struct FlightArgs {
     /// How positions travel between drones: exact or double [default: exact]
     #[arg(long, value_name = "NAME", help_heading = "Flight")]
     exchange: Option<String>,
+    /// Order in which drones update, each with the new positions of those before it: at-once,
+    /// ascending, descending, or a list like 2,0,1 [default: at-once]
+    #[arg(long, value_name = "ORDER", help_heading = "Flight")]
+    order: Option<String>,
     /// Seed of the random faults [default: 0]
     #[arg(long, value_name = "NUMBER", help_heading = "Flight")]
     seed: Option<u64>,
@@ -124,6 +128,7 @@ impl FlightArgs {
             ("integrator", self.integrator.is_some()),
             ("master", self.master.is_some()),
             ("exchange", self.exchange.is_some()),
+            ("order", self.order.is_some()),
             ("seed", self.seed.is_some()),
             ("compat", self.compat.is_some()),
             ("in-process", self.in_process),
@@ -137,17 +142,33 @@ impl FlightArgs {
     /// # Errors
     /// The scenario cannot be read, or a field is wrong.
     pub(in crate::cli) fn swarm(&self, scenario: &ScenarioArgs) -> Result<Cosimulation> {
+        self.swarm_exchanging(scenario, "exact")
+    }
+
+    /// As [`Self::swarm`]; where neither the scenario nor a flag says how positions travel, they
+    /// travel so.
+    ///
+    /// # Errors
+    /// The scenario cannot be read, or a field is wrong.
+    pub(in crate::cli) fn swarm_exchanging(
+        &self,
+        scenario: &ScenarioArgs,
+        exchange: &str,
+    ) -> Result<Cosimulation> {
         let (checked, flight, mut places) = scenario.scenario_and_flight()?;
         let flags = Flight {
             duration: self.duration.as_deref().map(|t| exact::parse("duration", t)).transpose()?,
             integrator: self.integrator.clone(),
             master: self.master.clone(),
             exchange: self.exchange.clone(),
+            order: self.order.clone(),
             seed: self.seed,
             ..Flight::default()
         };
         self.given().for_each(|flag| places.replaced(flag));
-        let swarm = Cosimulation::new(checked, flight.replaced_by(flags));
+        let mut flight = flight.replaced_by(flags);
+        flight.exchange.get_or_insert(exchange.to_owned());
+        let swarm = Cosimulation::new(checked, flight);
         let mut swarm = swarm.map_err(|e| places.point(e))?;
         let isolation = self.isolation()?;
         swarm.load = Loader::new(move |fmu, unit| substitute(&isolation, fmu, unit));

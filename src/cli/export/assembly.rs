@@ -11,7 +11,8 @@ use cordon_cosim::fmi::interface::FmiVersion;
 use cordon_cosim::fmi::{binary, package};
 use cordon_cosim::interchange::{Assembly, into_cps, ssp};
 
-/// Arguments of both.
+/// Arguments of both. Positions and parameters are doubles unless the scenario or `--exchange exact`
+/// says otherwise.
 #[derive(clap::Args, Debug)]
 pub struct ExportArgs {
     #[command(flatten)]
@@ -29,7 +30,8 @@ pub struct ExportArgs {
 }
 
 fn assembly(args: &ExportArgs) -> Result<(Assembly, FmiVersion, Vec<u8>)> {
-    let swarm = args.flight.swarm(&args.scenario)?;
+    // Not every tool connects texts, and some read them as empty in silence.
+    let swarm = args.flight.swarm_exchanging(&args.scenario, "double")?;
     let assembly = args.scenario.in_file(Assembly::of(&swarm))?;
     Ok((assembly, args.fmi.into(), binary::load(args.binary.binary.as_deref())?))
 }

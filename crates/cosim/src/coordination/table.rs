@@ -33,7 +33,7 @@ pub enum Slot {
     Start,
     /// Parameter `period`, in ticks.
     Period,
-    /// Parameter `first_update`: `first` or `last`.
+    /// Parameter `first_update`, `first` or `last`; or `update_last`, where numbers are doubles.
     FirstUpdate,
     /// Parameter `skip_lost`: skip an update for which a message was lost.
     SkipLost,
@@ -55,7 +55,10 @@ pub(super) fn starts(settings: &Settings) -> Vec<Value> {
     vec![start; count]
 }
 
-pub(super) fn phase_value(phase: Phase) -> Value {
+pub(super) fn phase_value(exchange: Exchange, phase: Phase) -> Value {
+    if exchange != Exchange::Exact {
+        return Value::Boolean(phase == Phase::Last);
+    }
     Value::Text(
         match phase {
             Phase::First => "first",
@@ -105,7 +108,7 @@ fn parameters(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
     let mut parameter = |slot, name: &str, dimension, start, text| {
         rows.push((slot, Variable::new(name, dimension, Causality::Parameter, start, text)));
     };
-    let exact = |x: &Rational| Value::Exact(Quotient::from(x));
+    let exact = |x: &Rational| settings.exchange.parameter(x);
     // Drones are counted up to a million.
     let whole = |n: usize| Value::Integer(i64::try_from(n).unwrap_or(i64::MAX));
     let (none, metre) = (Dimension::NONE, Dimension::METRE);
@@ -127,8 +130,20 @@ fn parameters(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
     parameter(Slot::Start, "start", metre, exact(&s.start), "desired position at the start");
     let period = Value::Integer(s.period.into());
     parameter(Slot::Period, "period", none, period, "communication steps from update to update");
-    let text = "tick of the first update: `first` or `last` of the period";
-    parameter(Slot::FirstUpdate, "first_update", none, phase_value(s.phase), text);
+    match s.exchange {
+        Exchange::Exact => {
+            let text = "tick of the first update: `first` or `last` of the period";
+            let start = phase_value(s.exchange, s.phase);
+            parameter(Slot::FirstUpdate, "first_update", none, start, text);
+        }
+        // Not every tool sets texts.
+        Exchange::Double | Exchange::SixDigits => {
+            let text =
+                "whether the first update is in the last tick of the period, not in the first";
+            let start = phase_value(s.exchange, s.phase);
+            parameter(Slot::FirstUpdate, "update_last", none, start, text);
+        }
+    }
     let skip = Value::Boolean(s.on_loss == OnLoss::Skip);
     let text = "whether an update is skipped where a message was lost";
     parameter(Slot::SkipLost, "skip_lost", none, skip, text);

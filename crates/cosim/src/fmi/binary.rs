@@ -1,9 +1,11 @@
 //! Where the binary inside exported FMUs comes from: the crate `cordon-fmu`, compiled.
 
 use std::env;
+use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use super::interface::BINARY_MARK;
 use cordon_core::files::{self, Limit};
 use cordon_core::{Error, Result};
 
@@ -24,7 +26,7 @@ const BUILD: &str = "cargo build --release -p cordon-fmu";
 /// There is none, or it cannot be read; the message says how to build it.
 pub fn load(named: Option<&Path>) -> Result<Vec<u8>> {
     if let Some(path) = named {
-        return files::read(path, Limit::FMU);
+        return expect_ours(path, files::read(path, Limit::FMU)?);
     }
     let here = env::current_exe().map_err(|e| Error::file("find", Path::new("cordon"), e))?;
     let Some(folder) = here.parent() else {
@@ -33,10 +35,24 @@ pub fn load(named: Option<&Path>) -> Result<Vec<u8>> {
     build_under_cargo(folder)?;
     let path = folder.join(file_name());
     match std::fs::read(&path) {
-        Ok(bytes) => Ok(bytes),
+        Ok(bytes) => expect_ours(&path, bytes),
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => Err(missing(&path)),
         Err(e) => Err(Error::file("read", &path, e)),
     }
+}
+
+/// Refuses anything but the compiled crate of this version.
+fn expect_ours(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>> {
+    // The mark is in this program too; its complement is in the library alone.
+    let mark: Vec<u8> = black_box(BINARY_MARK).bytes().map(|b| !b).collect();
+    if bytes.windows(mark.len()).any(|found| found == mark) {
+        return Ok(bytes);
+    }
+    Err(Error::input(format!(
+        "`{}`: expected the compiled crate `cordon-fmu`, version {}: build it with `{BUILD}`",
+        path.display(),
+        env!("CARGO_PKG_VERSION")
+    )))
 }
 
 fn missing(path: &Path) -> Error {

@@ -10,7 +10,7 @@ use crate::fingerprint::Fingerprint;
 use crate::plant::{Integrator, Plant};
 use crate::quotient::Quotient;
 use crate::unit::{Causality, Dimension, Resumable, Value, Variable};
-use cordon_core::exact::Rational;
+use cordon_core::exact::{self, Rational};
 
 /// A version of the FMI standard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -131,8 +131,19 @@ impl Model {
     /// reference is its place here.
     pub fn variables(self) -> Vec<Variable> {
         let mut variables = self.unit(self.identifier()).variables().to_vec();
-        variables.push(tau());
+        variables.push(tau(self.exact_numbers()));
         variables
+    }
+
+    /// Whether its exact numbers travel as text `p/q`. Otherwise they are doubles, which stand for
+    /// [simple fractions](Quotient::simplest_of).
+    pub fn exact_numbers(self) -> bool {
+        self == Self::Coordination(Positions::Exact)
+    }
+
+    /// The value of [`TAU`] that means so many seconds.
+    pub fn tau_value(self, tau: &Rational) -> Value {
+        tau_value(self.exact_numbers(), tau)
     }
 
     /// The parameters on which an output depends right after the initialisation.
@@ -162,6 +173,10 @@ impl Model {
     }
 }
 
+/// What the binary inside exported FMUs has in it, every bit turned over, so that it is not mistaken
+/// for another one.
+pub const BINARY_MARK: &str = concat!("\u{7f}cordon-fmu ", env!("CARGO_PKG_VERSION"), "\u{7f}");
+
 /// Name of the parameter that every exported unit has besides its own: the length of a step in
 /// seconds, exact.
 pub const TAU: &str = "tau";
@@ -171,14 +186,18 @@ pub fn default_tau() -> Rational {
     Rational::new(1.into(), 20.into())
 }
 
-fn tau() -> Variable {
-    Variable::new(
-        TAU,
-        Dimension::NONE,
-        Causality::Parameter,
-        Value::Exact(Quotient::from(&default_tau())),
-        "length of a communication step in seconds",
-    )
+fn tau_value(exact: bool, tau: &Rational) -> Value {
+    match exact {
+        true => Value::Exact(Quotient::from(tau)),
+        false => Value::Real(exact::to_f64(tau)),
+    }
+}
+
+fn tau(exact: bool) -> Variable {
+    let dimension = if exact { Dimension::NONE } else { Dimension::SECOND };
+    let start = tau_value(exact, &default_tau());
+    let text = "length of a communication step in seconds";
+    Variable::new(TAU, dimension, Causality::Parameter, start, text)
 }
 
 /// Drone 1 of the paper's coverage run (Figs 8 and 9).

@@ -53,6 +53,9 @@ impl From<UnitError> for Refusal {
 /// Longest run in steps: the limit of [`Grid`].
 const MAX_STEPS: u64 = 10_000_000_000;
 
+/// Longest single call in steps, so that every call returns: six days of 0.05 s steps.
+const MAX_STEPS_A_CALL: f64 = 10_000_000.0;
+
 /// How far an importer's step may be from a whole number of steps of tau, in steps: importers
 /// compute step sizes as differences of times, in doubles.
 const STEP_NOISE: f64 = 1e-6;
@@ -242,10 +245,17 @@ impl Slave {
             _ => value.clone(),
         };
         if variable.name == TAU {
-            let Value::Exact(tau) = &value else {
-                return Err(named(&format!("expected text `p/q`, found {}", value.kind())));
+            let tau = match (variable.kind(), &value) {
+                (Kind::Exact, Value::Exact(tau)) => Some(tau.to_rational()),
+                (Kind::Real, Value::Real(tau)) => {
+                    Quotient::simplest_of(*tau).map(|t| t.to_rational())
+                }
+                _ => None,
             };
-            let tau = tau.to_rational();
+            let Some(tau) = tau else {
+                let expected = if self.model.exact_numbers() { "text `p/q`" } else { "real" };
+                return Err(named(&format!("expected {expected}, found {}", value.kind())));
+            };
             if !tau.is_positive() {
                 return Err(named(&format!("`{tau}`: expected a positive number of seconds")));
             }
@@ -265,7 +275,7 @@ impl Slave {
             return Err(Refusal::error(format!("variable `{name}`: its type is {kind}")));
         }
         if variable.name == TAU {
-            return Ok(Value::Exact(Quotient::from(&self.tau)));
+            return Ok(self.model.tau_value(&self.tau));
         }
         if self.mode == Mode::Fatal {
             return Err(Refusal::fatal("reading: the instance is of no more use"));
@@ -344,6 +354,12 @@ impl Slave {
                 self.tau
             )));
         }
+        if count > MAX_STEPS_A_CALL {
+            return Err(Refusal::error(format!(
+                "a step of `{size}` s: expected at most {MAX_STEPS_A_CALL} times `{TAU}`, `{}` s",
+                self.tau
+            )));
+        }
         if self.stop_time.is_some_and(|stop| now + size > stop + tau / 2.0) {
             return Err(Refusal::error(format!(
                 "a step of `{size}` s from `{now}` s: goes beyond the end of the run"
@@ -370,7 +386,7 @@ impl Slave {
         let mut settable = Vec::with_capacity(self.variables.len());
         for (place, variable) in self.variables.iter().enumerate() {
             settable.push(match variable.causality {
-                _ if variable.name == TAU => Some(Value::Exact(Quotient::from(&self.tau))),
+                _ if variable.name == TAU => Some(self.model.tau_value(&self.tau)),
                 Causality::Parameter | Causality::Input => Some(self.unit.get(place)?),
                 Causality::Output | Causality::Local => None,
             });

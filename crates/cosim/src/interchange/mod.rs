@@ -68,7 +68,7 @@ impl Assembly {
             };
             let mut settings = parameters(model, unit.as_ref())?;
             if *swarm.grid.tau() != default_tau() {
-                settings.push((TAU.to_owned(), Value::Exact(swarm.grid.tau().into())));
+                settings.push((TAU.to_owned(), model.tau_value(swarm.grid.tau())));
             }
             instances.push(Instance { name: unit.name().to_owned(), model, settings });
         }
@@ -136,6 +136,11 @@ fn expect_plain(swarm: &Cosimulation) -> Result<()> {
             "master: `{}`: expected `jacobi`, the order of steps that other tools have",
             swarm.algorithm.name()
         )));
+    }
+    if swarm.order.is_some() {
+        return Err(Error::input(
+            "order: expected `at-once`, the order of steps that other tools have",
+        ));
     }
     if let Some(substitute) = swarm.units.first() {
         return Err(Error::input(format!(

@@ -9,6 +9,7 @@ use super::{Assembly, Instance};
 use crate::fmi::interface::{FmiVersion, Model};
 use crate::fmi::package;
 use crate::fmi::units::{self, Xml, has_unit};
+use crate::seat::Seat;
 use crate::unit::{Causality, Kind, Value, Variable};
 use cordon_core::exact;
 use cordon_core::text::one_line;
@@ -27,13 +28,51 @@ pub fn archive(
     binary: &[u8],
 ) -> cordon_core::Result<Vec<u8>> {
     let structure = structure(assembly)?;
-    let mut files = vec![("SystemStructure.ssd".to_owned(), structure)];
+    let mut files = vec![
+        ("SystemStructure.ssd".to_owned(), structure),
+        (PARAMETERS_FILE.to_owned(), parameters(assembly)?),
+    ];
     for model in assembly.models() {
         files.push((source(model), package::fmu(model, version, binary)?));
     }
     let files: Vec<(&str, &[u8])> =
         files.iter().map(|(path, content)| (path.as_str(), content.as_slice())).collect();
     package::archive(&files)
+}
+
+/// All parameters in one file, for importers that are given one.
+const PARAMETERS_FILE: &str = "resources/parameters.ssv";
+
+/// The one name of all parameter sets: importers apply the sets of a name.
+const PARAMETERS_NAME: &str = "parameters";
+
+/// Names of the components, their numbers as long as that of the last one: importers look
+/// for the beginning of `plant1.x0`, which must not be that of `plant10.x0`.
+fn names(assembly: &Assembly) -> Vec<String> {
+    let last = Seat::at(assembly.instances.len().saturating_sub(1)).drone;
+    let width = last.to_string().len();
+    let name = |(place, _): (usize, &Instance)| {
+        let Seat { drone, unit } = Seat::at(place);
+        format!("{}{drone:0width$}", unit.name())
+    };
+    assembly.instances.iter().enumerate().map(name).collect()
+}
+
+/// `resources/parameters.ssv`: every parameter as `component.parameter`.
+///
+/// # Errors
+/// None: memory takes every write. The signature is that of the XML writer.
+fn parameters(assembly: &Assembly) -> Result<Vec<u8>> {
+    let mut xml = Writer::new_with_indent(Cursor::new(Vec::new()), b' ', 2);
+    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+    let mut all = Vec::new();
+    for (name, instance) in names(assembly).iter().zip(&assembly.instances) {
+        all.extend(instance.settings.iter().map(|(n, v)| (format!("{name}.{n}"), v.clone())));
+    }
+    parameter_set(&mut xml, &all, true)?;
+    let mut bytes = xml.into_inner().into_inner();
+    bytes.push(b'\n');
+    Ok(bytes)
 }
 
 fn source(model: Model) -> String {
@@ -47,7 +86,6 @@ fn source(model: Model) -> String {
 pub fn structure(assembly: &Assembly) -> Result<Vec<u8>> {
     let mut xml = Writer::new_with_indent(Cursor::new(Vec::new()), b' ', 2);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
-    let namespace = |part: &str| format!("http://ssp-standard.org/SSP1/SystemStructure{part}");
     xml.create_element("ssd:SystemStructureDescription")
         .with_attribute(("xmlns:ssd", namespace("Description").as_str()))
         .with_attribute(("xmlns:ssc", namespace("Common").as_str()))
@@ -75,10 +113,18 @@ pub fn structure(assembly: &Assembly) -> Result<Vec<u8>> {
 }
 
 fn system(xml: &mut Xml, assembly: &Assembly) -> Result<()> {
+    let names = names(assembly);
     xml.create_element("ssd:Elements").write_inner_content(|xml| {
-        assembly.instances.iter().try_for_each(|instance| component(xml, instance))
+        let named = names.iter().zip(&assembly.instances).enumerate();
+        named.into_iter().try_for_each(|(place, (name, instance))| {
+            let connected = |variable: &str| {
+                let ends = assembly.connections.iter().flat_map(|(from, to)| [from, to]);
+                ends.into_iter().any(|e| e.instance == place && e.variable == variable)
+            };
+            component(xml, name, instance, &connected)
+        })
     })?;
-    let name = |place: usize| assembly.instances.get(place).map_or("", |i| i.name.as_str());
+    let name = |place: usize| names.get(place).map_or("", String::as_str);
     xml.create_element("ssd:Connections").write_inner_content(|xml| {
         for (from, to) in &assembly.connections {
             xml.create_element("ssd:Connection")
@@ -93,16 +139,24 @@ fn system(xml: &mut Xml, assembly: &Assembly) -> Result<()> {
     Ok(())
 }
 
-fn component(xml: &mut Xml, instance: &Instance) -> Result<()> {
+/// Inputs that nothing is connected to are parameters only: some importers send zeros to every
+/// input among the connectors.
+fn component(
+    xml: &mut Xml,
+    name: &str,
+    instance: &Instance,
+    connected: &dyn Fn(&str) -> bool,
+) -> Result<()> {
     xml.create_element("ssd:Component")
-        .with_attribute(("name", instance.name.as_str()))
+        .with_attribute(("name", name))
         .with_attribute(("type", "application/x-fmu-sharedlibrary"))
         .with_attribute(("source", source(instance.model).as_str()))
         .with_attribute(("implementation", "CoSimulation"))
         .write_inner_content(|xml| {
             xml.create_element("ssd:Connectors").write_inner_content(|xml| {
                 for variable in instance.model.variables() {
-                    if is_connector(&variable) {
+                    let output = variable.causality == Causality::Output;
+                    if is_connector(&variable) && (output || connected(&variable.name)) {
                         connector(xml, &variable)?;
                     }
                 }
@@ -114,7 +168,7 @@ fn component(xml: &mut Xml, instance: &Instance) -> Result<()> {
             nested(
                 xml,
                 &["ssd:ParameterBindings", "ssd:ParameterBinding", "ssd:ParameterValues"],
-                &|xml| parameter_set(xml, instance),
+                &|xml| parameter_set(xml, &instance.settings, false),
             )
         })?;
     Ok(())
@@ -131,27 +185,37 @@ fn nested(xml: &mut Xml, names: &[&str], inner: &dyn Fn(&mut Xml) -> Result<()>)
     }
 }
 
-fn parameter_set(xml: &mut Xml, instance: &Instance) -> Result<()> {
-    xml.create_element("ssv:ParameterSet")
+fn parameter_set(xml: &mut Xml, parameters: &[(String, Value)], is_root: bool) -> Result<()> {
+    let mut set = xml
+        .create_element("ssv:ParameterSet")
         .with_attribute(("version", "1.0"))
-        .with_attribute(("name", instance.name.as_str()))
-        .write_inner_content(|xml| {
-            xml.create_element("ssv:Parameters").write_inner_content(|xml| {
-                for (name, value) in &instance.settings {
-                    xml.create_element("ssv:Parameter")
-                        .with_attribute(("name", name.as_str()))
-                        .write_inner_content(|xml| {
-                            xml.create_element(value_element(value))
-                                .with_attribute(("value", value.to_string().as_str()))
-                                .write_empty()?;
-                            Ok(())
-                        })?;
-                }
-                Ok(())
-            })?;
+        .with_attribute(("name", PARAMETERS_NAME));
+    if is_root {
+        for (key, part) in [("xmlns:ssv", "ParameterValues"), ("xmlns:ssc", "Common")] {
+            set = set.with_attribute((key, namespace(part).as_str()));
+        }
+    }
+    set.write_inner_content(|xml| {
+        xml.create_element("ssv:Parameters").write_inner_content(|xml| {
+            for (name, value) in parameters {
+                xml.create_element("ssv:Parameter")
+                    .with_attribute(("name", name.as_str()))
+                    .write_inner_content(|xml| {
+                        xml.create_element(value_element(value))
+                            .with_attribute(("value", value.to_string().as_str()))
+                            .write_empty()?;
+                        Ok(())
+                    })?;
+            }
             Ok(())
         })?;
+        Ok(())
+    })?;
     Ok(())
+}
+
+fn namespace(part: &str) -> String {
+    format!("http://ssp-standard.org/SSP1/SystemStructure{part}")
 }
 
 fn value_element(value: &Value) -> &'static str {

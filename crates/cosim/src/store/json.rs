@@ -58,6 +58,8 @@ struct SetupPage {
     tau: String,
     integrator: String,
     master: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    order: Option<Vec<usize>>,
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     recorded: bool,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -160,6 +162,7 @@ fn setup_page(s: &Setup) -> SetupPage {
         tau: s.tau.to_string(),
         integrator: s.integrator.clone(),
         master: s.master.clone(),
+        order: s.order.clone(),
         recorded: s.recorded,
         fmus: s
             .fmus
@@ -235,6 +238,7 @@ fn setup(s: SetupPage) -> Result<Setup> {
         period: s.period,
         integrator: s.integrator,
         master: s.master,
+        order: s.order,
         recorded: s.recorded,
         fmus: s.fmus.into_iter().map(|f| Flown { unit: f.unit, fmu: f.fmu }).collect(),
     })

@@ -27,6 +27,8 @@ pub struct Flight {
     pub start: Option<Vec<Rational>>,
     /// Wanted height in m.
     pub z_d: Option<Rational>,
+    /// `at-once`, `ascending`, `descending` or a list: in which order drones update.
+    pub order: Option<String>,
     /// Seed of everything random.
     pub seed: Option<u64>,
     /// What goes wrong.
@@ -131,6 +133,7 @@ impl Flight {
             duration: other.duration.or(self.duration),
             start: other.start.or(self.start),
             z_d: other.z_d.or(self.z_d),
+            order: other.order.or(self.order),
             seed: other.seed.or(self.seed),
             faults: if other.faults.is_empty() { self.faults } else { other.faults },
             units: if other.units.is_empty() { self.units } else { other.units },

@@ -26,6 +26,7 @@ pub(super) struct FlightTable {
     duration: Option<Spanned<Value>>,
     start: Option<Vec<Spanned<Value>>>,
     z_d: Option<Spanned<Value>>,
+    order: Option<String>,
     seed: Option<u64>,
 }
 
@@ -76,6 +77,7 @@ pub(super) fn flight(
         master: table.master,
         exchange: table.exchange,
         on_loss: table.on_loss,
+        order: table.order,
         seed: table.seed,
         faults: faults.iter().map(|f| fault(source, f)).collect::<Result<_>>()?,
         units: units.into_iter().map(|u| substitute(source, u)).collect::<Result<_>>()?,

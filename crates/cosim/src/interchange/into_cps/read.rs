@@ -17,6 +17,7 @@ use crate::cosimulation::Cosimulation;
 use crate::fmi::archive::Fmu;
 use crate::fmi::interface::{Model, Positions, TAU};
 use crate::interchange::{Assembly, End};
+use crate::quotient::Quotient;
 use crate::seat::Seat;
 use crate::unit::Value;
 use cordon_core::exact::{self, Rational};
@@ -81,11 +82,16 @@ impl Reader<'_> {
         let set = self.ports.settings.get(instance).and_then(|s| s.get(variable));
         match set {
             Some(Json::String(text)) => Ok(text.clone()),
+            // A double stands for the fraction that it was written as.
+            Some(Json::Number(n)) if n.is_f64() => Ok(fraction(n.as_f64())),
             Some(other) => Ok(other.to_string()),
             None => {
                 let start = model.variables().into_iter().find(|v| v.name == variable);
                 let missing = || Error::input(format!("{instance}: has no variable `{variable}`"));
-                Ok(start.ok_or_else(missing)?.start.to_string())
+                Ok(match start.ok_or_else(missing)?.start {
+                    Value::Real(x) => fraction(Some(x)),
+                    other => other.to_string(),
+                })
             }
         }
     }
@@ -188,7 +194,11 @@ impl Reader<'_> {
             start.push(self.number(coordination, model, "start")?);
             let number = |variable| self.number(coordination, model, variable);
             let period: u32 = self.whole(coordination, model, "period")?;
-            let phase = self.value(coordination, model, "first_update")?;
+            let is_last = match positions {
+                Positions::Exact => self.value(coordination, model, "first_update")? == "last",
+                _ => self.value(coordination, model, "update_last")? == "true",
+            };
+            let phase = if is_last { Phase::Last } else { Phase::First };
             let shared = (
                 [number("min")?, number("max")?, number("weight")?, number(TAU)?],
                 period,
@@ -235,7 +245,7 @@ impl Reader<'_> {
             start: Some(Start::Listed(start)),
             weight: Some(weight),
             period: Some(period),
-            phase: Some(if phase == "last" { Phase::Last } else { Phase::First }),
+            phase: Some(phase),
             tau: Some(tau),
             flight,
             ..Draft::default()
@@ -349,6 +359,11 @@ fn is_end(drones: &[Drone], end: &End, port: &Port) -> bool {
 fn expected_name(drones: &[Drone], end: &End) -> String {
     let unit = unit_at(drones, Seat::at(end.instance)).map(|(unit, _)| unit.to_string());
     format!("{}.{}", unit.unwrap_or_default(), end.variable)
+}
+
+/// The simple fraction that a double stands for, as text.
+fn fraction(x: Option<f64>) -> String {
+    x.and_then(Quotient::simplest_of).map(|q| q.to_string()).unwrap_or_default()
 }
 
 /// Whether a value of the file is a start value.

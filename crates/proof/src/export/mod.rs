@@ -6,8 +6,8 @@
 //! mirror with generated parts ([`pvs`]).
 
 pub mod claim;
-pub mod decision;
+mod decision;
 pub mod pvs;
 pub mod smt2;
 pub mod smt_model;
-pub mod term;
+mod term;

@@ -21,8 +21,9 @@ use cordon_spec::{Params, State};
 use num_traits::Signed;
 
 use super::claim::Claim;
-use super::decision::{Diagram, Oracle};
-use super::term::{Symbolic, Term};
+use super::decision::Diagram;
+use super::term::Term;
+use crate::symbolic::{Oracle, Symbol};
 use cordon_core::Rational;
 use cordon_core::range::Interval;
 
@@ -173,18 +174,18 @@ fn position(i: usize, k: usize) -> String {
 
 struct Writer<'q> {
     query: &'q Query,
-    oracle: Rc<Oracle>,
-    params: Params<Symbolic>,
-    setting: Setting<Symbolic>,
+    oracle: Rc<Oracle<Term>>,
+    params: Params<Symbol<Term>>,
+    setting: Setting<Symbol<Term>>,
     /// Step k of the run, as constants.
-    run: Vec<Vec<Symbolic>>,
+    run: Vec<Vec<Symbol<Term>>>,
     text: String,
 }
 
 impl<'q> Writer<'q> {
     fn new(query: &'q Query) -> Self {
         let oracle = Oracle::new();
-        let symbol = |name: &str| Symbolic::symbol(name, &oracle);
+        let symbol = |name: &str| oracle.symbol(Term::Symbol(name.into()));
         let params = Params { min: symbol("min"), max: symbol("max"), eps: symbol("eps"), n: 0 };
         let setting = Setting::from(&params);
         let start = (0..query.drones).map(|i| symbol(&position(i, 0))).collect();
@@ -229,7 +230,7 @@ impl<'q> Writer<'q> {
                     &w.run[0],
                     &w.run[1],
                 );
-                let line = format!("(assert (not (= {} 0.0)))", residual.term);
+                let line = format!("(assert (not (= {} 0.0)))", residual.expression);
                 self.line("; telescoping_residual is not zero");
                 self.line(line);
             }
@@ -330,8 +331,8 @@ impl<'q> Writer<'q> {
             let mut names = Vec::new();
             for (i, x) in after.iter().enumerate() {
                 let name = position(i, k);
-                self.line(format!("(define-fun {name} () Real {})", x.term));
-                names.push(Symbolic::symbol(&name, &self.oracle));
+                self.line(format!("(define-fun {name} () Real {})", x.expression));
+                names.push(self.oracle.symbol(Term::Symbol(name.into())));
             }
             self.run.push(names);
         }

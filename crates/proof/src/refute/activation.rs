@@ -6,7 +6,7 @@ use cordon_spec::State;
 use cordon_spec::activation::exec_coverage_active;
 use cordon_spec::theorems::{Form, Theorem};
 
-use super::starts::Region;
+use super::region::Region;
 use super::{
     Answer, Coverage, Extent, Query, is_conjunction, leaving_start, params, violating_start,
 };

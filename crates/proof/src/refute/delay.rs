@@ -8,8 +8,8 @@ use cordon_spec::theorems::Truth;
 use num_traits::One;
 
 use super::activation::single_placement;
-use super::starts::Region;
-use super::symbolic::ways_to_fail;
+use super::conjunction::ways_to_fail;
+use super::region::Region;
 use super::{Answer, Coverage, Extent, Query, params, symbolic_setting, violating_start};
 use crate::certificate::Departure;
 use crate::counterexample::Counterexample;

@@ -6,11 +6,11 @@
 //! holds at every step.
 
 pub mod activation;
+mod conjunction;
 pub mod delay;
 mod energy;
 mod exhaustive;
-mod starts;
-mod symbolic;
+mod region;
 
 use cordon_spec::coverage::exec_coverage;
 use cordon_spec::theorems::{Form, Setting, StartSet, Theorem, Truth, Verdict};
@@ -18,11 +18,12 @@ use cordon_spec::{Params, State};
 use num_traits::{One, Zero};
 
 use crate::counterexample::Counterexample;
+use crate::symbolic::Symbol;
+use conjunction::ways_to_fail;
 use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::Sign;
-use starts::Region;
-use symbolic::{Symbol, ways_to_fail};
+use region::Region;
 
 /// What is searched.
 #[derive(Clone, Debug)]
@@ -197,8 +198,8 @@ fn params<S>(eps: &Rational, scalar: impl Fn(Rational) -> S) -> Params<S> {
     }
 }
 
-fn symbolic_setting(eps: &Rational) -> Setting<Symbol> {
-    Setting::from(&params(eps, Symbol::constant))
+fn symbolic_setting(eps: &Rational) -> Setting<Symbol<Affine>> {
+    Setting::from(&params(eps, |x| Symbol::constant(Affine::constant(x))))
 }
 
 /// Whether the conclusion is a conjunction of comparisons, so that each can be violated on its
@@ -221,7 +222,7 @@ fn violating_start(
     placements: &[Vec<Affine>],
 ) -> (Option<Vec<Rational>>, bool) {
     let setting = symbolic_setting(eps);
-    let conclusion = |run: &[Vec<Symbol>]| theorem.conclusion(form, &setting, run);
+    let conclusion = |run: &[Vec<Symbol<Affine>>]| theorem.conclusion(form, &setting, run);
     if is_conjunction(theorem) {
         let is_false = |v: &Verdict| matches!(v, Verdict::Violated(_));
         let mut ways = ways_to_fail(placements, conclusion, is_false);
@@ -267,8 +268,9 @@ fn leaving_start(
     placement: &[Vec<Affine>],
 ) -> Option<Vec<Rational>> {
     let setting = symbolic_setting(eps);
-    let contains =
-        |run: &[Vec<Symbol>]| run.first().map_or(Truth::Unknown, |x| set.contains(&setting, x));
+    let contains = |run: &[Vec<Symbol<Affine>>]| {
+        run.first().map_or(Truth::Unknown, |x| set.contains(&setting, x))
+    };
     let ways = ways_to_fail(placement, contains, |t| *t == Truth::False);
     ways.iter().find_map(|way| region.point_with(way))
 }

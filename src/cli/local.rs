@@ -3,15 +3,15 @@
 use std::io::Write;
 use std::num::NonZeroU32;
 
-use comfy_table::{CellAlignment, Table, presets};
 use cordon_spec::local::TickRatio;
 use num_traits::ToPrimitive;
 use serde_json::json;
 
 use super::scenario_args::ScenarioArgs;
 use super::select::OutputFormat;
+use super::table;
 use cordon_core::exact;
-use cordon_core::{Error, Outcome, Result};
+use cordon_core::{Error, Evidence, Outcome, Result};
 use cordon_run::projection::{self, Pair, Setup};
 
 /// Arguments of `cordon local`.
@@ -74,7 +74,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
                 "schema": "cordon-local/1",
                 "drones": scenario.count(),
                 "ticks": setup.ticks,
-                "evidence": "this run only",
+                "evidence": Evidence::ThisRunOnly,
                 "equal": different.is_none(),
                 "first_difference": difference,
             });
@@ -98,27 +98,18 @@ fn ratio(text: &str) -> Result<TickRatio> {
 }
 
 fn text(pairs: &[Pair], digits: usize, out: &mut dyn Write) -> Result<()> {
-    let mut table = Table::new();
-    table.load_preset(presets::NOTHING);
     let count = pairs.first().map_or(0, |p| p.local.len());
     let mut head = vec!["tick".to_owned()];
-    head.extend((0..count).map(|i| format!("x{i}")));
+    head.extend(table::names(count));
     head.push("global".to_owned());
-    table.set_header(head);
+    let mut rows = vec![head];
     for p in pairs {
         let mut cells = vec![p.tick.to_string()];
         cells.extend(p.local.iter().map(|x| exact::decimal_string(x, digits)));
         cells.push(p.difference().map_or("equal".to_owned(), |i| format!("differs at x{i}")));
-        table.add_row(cells);
+        rows.push(cells);
     }
-    for column in table.column_iter_mut() {
-        column.set_cell_alignment(CellAlignment::Right);
-        column.set_padding((0, 2));
-    }
-    for line in table.lines() {
-        writeln!(out, "{}", line.trim_end())?;
-    }
-    Ok(())
+    table::write(&rows, out)
 }
 
 fn verdict(pairs: &[Pair], different: Option<(&Pair, usize)>) -> String {
@@ -131,7 +122,8 @@ fn verdict(pairs: &[Pair], different: Option<(&Pair, usize)>) -> String {
             let ticks = pairs.len().saturating_sub(1);
             format!(
                 "{machines} local machines compute the global kth_step exactly, at the start and \
-                 after each of {ticks} ticks (this run only)"
+                 after each of {ticks} ticks ({})",
+                Evidence::ThisRunOnly
             )
         }
     }

@@ -2,9 +2,9 @@
 
 use std::io::Write;
 
-use comfy_table::{CellAlignment, Table, presets};
 use serde_json::json;
 
+use crate::cli::table;
 use cordon_core::{Error, Outcome, Result};
 use cordon_run::fast::verify::{self, Verification};
 use cordon_run::fast::{Answer, Engine, Rule, digits, engine};
@@ -195,20 +195,12 @@ pub fn certain(
             }
         }
         Shape::Table => {
-            let mut table = Table::new();
-            table.load_preset(presets::NOTHING);
-            let head = (0..scenario.count()).map(|i| format!("x{i}"));
-            table.set_header([String::from("step")].into_iter().chain(head));
+            let mut rows = vec![vec!["step".to_owned()]];
+            rows[0].extend(table::names(scenario.count()));
             for d in &found {
-                table.add_row([d.k.to_string()].into_iter().chain(decimals(d)));
+                rows.push([d.k.to_string()].into_iter().chain(decimals(d)).collect());
             }
-            for column in table.column_iter_mut() {
-                column.set_cell_alignment(CellAlignment::Right);
-                column.set_padding((0, 2));
-            }
-            for line in table.lines() {
-                writeln!(out, "{}", line.trim_end())?;
-            }
+            table::write(&rows, out)?;
         }
     }
     let short = found.iter().any(|d| d.certain() < places);

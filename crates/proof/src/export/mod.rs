@@ -5,7 +5,7 @@
 //! compute on terms ([`term`], [`decision`]). PVS, a specification language of its own, is a
 //! mirror with generated parts ([`pvs`]).
 
-pub mod claim;
+pub mod conjecture;
 mod decision;
 pub mod pvs;
 pub mod smt2;

@@ -20,7 +20,7 @@ use cordon_spec::theorems::{Form, Setting, Theorem, Truth, Verdict, WeightRange}
 use cordon_spec::{Params, State};
 use num_traits::Signed;
 
-use super::claim::Claim;
+use super::conjecture::Conjecture;
 use super::decision::Diagram;
 use super::term::Term;
 use crate::symbolic::{Oracle, Symbol};
@@ -29,7 +29,7 @@ use cordon_core::range::Interval;
 
 /// Which weights a query is about.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Weights {
+pub enum WeightDomain {
     /// Those of the claim's hypothesis.
     OfHypothesis,
     /// 0 <= eps <= 1 (the paper's definition 6) without those of the sharp hypothesis.
@@ -91,7 +91,7 @@ impl Obligation {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Query {
     /// Theorem or companion.
-    pub claim: Claim,
+    pub claim: Conjecture,
     /// Which reading.
     pub form: Form,
     /// The number of drones N.
@@ -99,7 +99,7 @@ pub struct Query {
     /// What is asked.
     pub obligation: Obligation,
     /// Of which weights.
-    pub weights: Weights,
+    pub weights: WeightDomain,
 }
 
 /// Smallest number of drones the protocol is about.
@@ -111,7 +111,12 @@ pub const MAX_DRONES: usize = 9;
 
 /// The proof obligations of a claim, in order. All of them `unsat` prove it for this number of
 /// drones, for all steps.
-pub fn obligations(claim: Claim, form: Form, drones: usize, weights: &Weights) -> Vec<Query> {
+pub fn obligations(
+    claim: Conjecture,
+    form: Form,
+    drones: usize,
+    weights: &WeightDomain,
+) -> Vec<Query> {
     let query = |obligation| Query { claim, form, drones, obligation, weights: weights.clone() };
     let mut queries = Vec::new();
     if !claim.starts_are_invariant(form) {
@@ -119,14 +124,14 @@ pub fn obligations(claim: Claim, form: Form, drones: usize, weights: &Weights) -
     }
     queries.push(query(Obligation::Preserved));
     queries.push(query(Obligation::Concluded));
-    if (claim, form) == (Claim::Theorem(Theorem::SumNonDecreasing), Form::Sharp) {
-        queries.push(Query { weights: Weights::OfHypothesis, ..query(Obligation::Identity) });
+    if (claim, form) == (Conjecture::Theorem(Theorem::SumNonDecreasing), Form::Sharp) {
+        queries.push(Query { weights: WeightDomain::OfHypothesis, ..query(Obligation::Identity) });
     }
     queries
 }
 
 /// Whether some weight of 0 <= eps <= 1 lies outside the claim's sharp hypothesis.
-pub fn has_beyond(claim: Claim, drones: usize) -> bool {
+pub fn has_beyond(claim: Conjecture, drones: usize) -> bool {
     match claim.weights(Form::Sharp) {
         WeightRange::Any | WeightRange::Unit => false,
         WeightRange::UpToHalfOrOne => drones > MIN_DRONES,
@@ -153,11 +158,11 @@ impl Query {
             range.contains(&setting.eps_num, &setting.eps_den, self.drones).is_true()
         };
         match &self.weights {
-            Weights::OfHypothesis => within(self.claim.weights(self.form)),
-            Weights::Beyond => {
+            WeightDomain::OfHypothesis => within(self.claim.weights(self.form)),
+            WeightDomain::Beyond => {
                 within(WeightRange::Unit) && !within(self.claim.weights(Form::Sharp))
             }
-            Weights::Interval(i) => i.contains(&(&setting.eps_num / &setting.eps_den)),
+            WeightDomain::Interval(i) => i.contains(&(&setting.eps_num / &setting.eps_den)),
         }
     }
 
@@ -276,12 +281,12 @@ impl<'q> Writer<'q> {
             r.contains(&w.setting.eps_num, &w.setting.eps_den, w.query.drones)
         };
         match &self.query.weights {
-            Weights::OfHypothesis => {
+            WeightDomain::OfHypothesis => {
                 let hypothesis = claim.weights(self.query.form);
                 let diagram = self.is(|w| range(w, hypothesis));
                 self.assert(&format!("weights: {}", theorems::weights(hypothesis)), "w", &diagram);
             }
-            Weights::Beyond => {
+            WeightDomain::Beyond => {
                 let unit = self.is(|w| range(w, WeightRange::Unit));
                 self.assert(
                     &format!("weights: {}", theorems::weights(WeightRange::Unit)),
@@ -292,7 +297,7 @@ impl<'q> Writer<'q> {
                 let beyond = self.not(|w| range(w, sharp));
                 self.assert(&format!("but not: {}", theorems::weights(sharp)), "w", &beyond);
             }
-            Weights::Interval(i) => {
+            WeightDomain::Interval(i) => {
                 let relation = |closed| if closed { "<=" } else { "<" };
                 let low = format!("(assert ({} {} eps))", relation(i.low_closed), real(&i.low));
                 let high = format!("(assert ({} eps {}))", relation(i.high_closed), real(&i.high));

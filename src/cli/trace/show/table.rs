@@ -2,14 +2,14 @@
 
 use std::io::Write;
 
-use comfy_table::{CellAlignment, Table, presets};
 use cordon_core::theorems;
 use cordon_spec::Phase;
 use cordon_spec::theorems::Verdict;
 
 use super::Numbers;
-use cordon_core::Result;
+use crate::cli::table;
 use cordon_core::exact;
+use cordon_core::{Evidence, Result};
 use cordon_run::scenario::{Protocol, Scenario};
 use cordon_run::trace::{Checked, Trace};
 
@@ -25,8 +25,6 @@ pub fn table(
     out: &mut dyn Write,
 ) -> Result<()> {
     heading(trace.scenario, out)?;
-    let mut table = Table::new();
-    table.load_preset(presets::NOTHING);
     let timed = trace.scenario.tau.is_some();
     let ticked = trace.scenario.period > 1 || timed;
     let mut head = vec!["step".to_owned()];
@@ -36,9 +34,9 @@ pub fn table(
     if timed {
         head.push("t [s]".to_owned());
     }
-    head.extend((0..trace.scenario.count()).map(|i| format!("x{i}")));
+    head.extend(table::names(trace.scenario.count()));
     head.extend(checks.iter().map(|c| c.theorem.number().to_owned()));
-    table.set_header(head);
+    let mut rows = vec![head];
     for row in &trace.rows {
         let mut cells = vec![row.step.to_string()];
         if ticked {
@@ -49,15 +47,9 @@ pub fn table(
         }
         cells.extend(row.positions.iter().map(|x| numbers.write(x, digits)));
         cells.extend(checks.iter().map(|c| mark(c.verdicts.get(&row.step)).to_owned()));
-        table.add_row(cells);
+        rows.push(cells);
     }
-    for column in table.column_iter_mut() {
-        column.set_cell_alignment(CellAlignment::Right);
-        column.set_padding((0, 2));
-    }
-    for line in table.lines() {
-        writeln!(out, "{}", line.trim_end())?;
-    }
+    table::write(&rows, out)?;
     if !checks.is_empty() {
         writeln!(out)?;
     }
@@ -111,7 +103,8 @@ fn summary(c: &Checked, out: &mut dyn Write) -> Result<()> {
         None => {
             writeln!(
                 out,
-                "{number} ({form} form) holds at all {steps} steps checked (this run only)"
+                "{number} ({form} form) holds at all {steps} steps checked ({})",
+                Evidence::ThisRunOnly
             )?;
         }
     }

@@ -156,8 +156,10 @@ pub fn refute(
     weights: &[Rational],
     steps: usize,
 ) -> Option<Counterexample> {
-    let weights = refute::Weights::Given(weights.to_vec());
-    refute::search(&refute::Query { theorem, form, drones: drones.to_vec(), weights, steps }).found
+    let (drones, weights) = (drones.to_vec(), weights.to_vec());
+    let any_weight = true;
+    let space = refute::SearchSpace { theorem, form, drones, weights, any_weight, steps };
+    refute::search(&space).found
 }
 
 /// Searches a proof of a theorem for every number of drones, every step and every real weight

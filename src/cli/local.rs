@@ -7,11 +7,11 @@ use cordon_spec::local::TickRatio;
 use num_traits::ToPrimitive;
 use serde_json::json;
 
-use super::aligned::aligned;
 use super::scenario_args::ScenarioArgs;
 use super::select::OutputFormat;
+use super::table;
 use cordon_core::exact;
-use cordon_core::{Error, Outcome, Result};
+use cordon_core::{Error, Evidence, Outcome, Result};
 use cordon_run::projection::{self, Pair, Setup};
 
 /// Arguments of `cordon local`.
@@ -74,7 +74,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
                 "schema": "cordon-local/1",
                 "drones": scenario.count(),
                 "ticks": setup.ticks,
-                "evidence": "this run only",
+                "evidence": Evidence::ThisRunOnly,
                 "equal": different.is_none(),
                 "first_difference": difference,
             });
@@ -100,7 +100,7 @@ fn ratio(text: &str) -> Result<TickRatio> {
 fn text(pairs: &[Pair], digits: usize, out: &mut dyn Write) -> Result<()> {
     let count = pairs.first().map_or(0, |p| p.local.len());
     let mut head = vec!["tick".to_owned()];
-    head.extend((0..count).map(|i| format!("x{i}")));
+    head.extend(table::names(count));
     head.push("global".to_owned());
     let lines = pairs.iter().map(|p| {
         let mut cells = vec![p.tick.to_string()];
@@ -108,7 +108,7 @@ fn text(pairs: &[Pair], digits: usize, out: &mut dyn Write) -> Result<()> {
         cells.push(p.difference().map_or("equal".to_owned(), |i| format!("differs at x{i}")));
         cells
     });
-    aligned(&head, None, lines, out)
+    table::stream(&head, None, lines, out)
 }
 
 fn verdict(pairs: &[Pair], different: Option<(&Pair, usize)>) -> String {
@@ -121,7 +121,8 @@ fn verdict(pairs: &[Pair], different: Option<(&Pair, usize)>) -> String {
             let ticks = pairs.len().saturating_sub(1);
             format!(
                 "{machines} local machines compute the global kth_step exactly, at the start and \
-                 after each of {ticks} ticks (this run only)"
+                 after each of {ticks} ticks ({})",
+                Evidence::ThisRunOnly
             )
         }
     }

@@ -2,7 +2,6 @@
 //!
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
-mod aligned;
 mod check;
 mod choice;
 mod cosim;

@@ -8,10 +8,10 @@ use serde_json::{Value, json};
 use super::select::OutputFormat;
 use super::table::{self, abridged};
 use cordon_core::exact::fraction;
-use cordon_core::{Error, Outcome, Rational, Result};
+use cordon_core::{Error, Evidence, Outcome, Rational, Result};
 use cordon_proof::certificate::{self, REJECTED};
 use cordon_proof::counterexample::list;
-use cordon_proof::own_protocol::prove::{Proof, is_vacuous, prove as find_proof};
+use cordon_proof::own_protocol::prove::{InductiveProof, is_vacuous, prove as find_proof};
 use cordon_proof::own_protocol::refute::{Run, check, refute as find_run, weights};
 use cordon_proof::own_protocol::{OwnProtocol, read};
 
@@ -63,7 +63,7 @@ pub fn prove(
                     "schema": "cordon-own-protocol/1",
                     "title": protocol.title,
                     "proved": true,
-                    "evidence": "inductive",
+                    "evidence": Evidence::Inductive,
                     "eps": protocol.eps.as_ref().map(|(lo, hi)| [fraction(lo), fraction(hi)]),
                     "half_spaces": proof.half_spaces,
                     "claimed": proof.claimed,
@@ -177,7 +177,7 @@ fn range(protocol: &OwnProtocol) -> String {
 
 fn proved(
     protocol: &OwnProtocol,
-    proof: &Proof,
+    proof: &InductiveProof,
     files: &[String],
     out: &mut dyn Write,
 ) -> Result<()> {
@@ -190,8 +190,11 @@ fn proved(
     };
     writeln!(
         out,
-        "  inductive: {} half-spaces, {} of them claimed, each kept by a step{at} (certified)",
-        proof.half_spaces, proof.claimed
+        "  {}: {} half-spaces, {} of them claimed, each kept by a step{at} ({})",
+        Evidence::Inductive,
+        proof.half_spaces,
+        proof.claimed,
+        Evidence::Certified
     )?;
     writeln!(
         out,
@@ -220,7 +223,11 @@ fn not_refuted(search: &Search, weights: &[Rational], out: &mut dyn Write) -> Re
     let mut weights: Vec<&Rational> = weights.iter().collect();
     weights.sort();
     let weights: Vec<String> = weights.into_iter().map(fraction).collect();
-    let which = if search.start.is_some() { "from this start" } else { "complete for all starts" };
+    let which = if search.start.is_some() {
+        "from this start"
+    } else {
+        Evidence::CompleteForAllStarts.text()
+    };
     writeln!(
         out,
         "  not refuted: no counterexample up to step {} at eps = {}: {which}",
@@ -256,7 +263,7 @@ fn as_json(protocol: &OwnProtocol, path: &Path, run: &Run) -> Value {
     })
 }
 
-fn write_all(path: &Path, folder: &Path, proof: &Proof) -> Result<Vec<String>> {
+fn write_all(path: &Path, folder: &Path, proof: &InductiveProof) -> Result<Vec<String>> {
     let stem = path.file_stem().map_or_else(|| "own".into(), |s| s.to_string_lossy());
     let ends = ["low", "high"];
     let named = proof.certificates.iter().zip(ends).map(|((_, c), end)| {

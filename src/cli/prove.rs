@@ -10,8 +10,10 @@ use serde_json::{Value, json};
 use super::own_protocol;
 use super::select::OutputFormat;
 use cordon_core::{Error, Outcome, Rational, Result, files, range};
+use cordon_proof::certificate;
 use cordon_proof::prove::claims::Claim;
-use cordon_proof::prove::{Effort, Found, Scope, evident, exactness, prove};
+use cordon_proof::prove::{Effort, Found, Scope, exactness, prove};
+use cordon_proof::refute;
 
 /// Arguments of `cordon prove`.
 #[derive(clap::Args, Debug)]
@@ -158,8 +160,9 @@ fn attempt(
             };
             // A counterexample is cheap to look for, and ends a search that cannot succeed.
             let theorem = claim.theorem.filter(|_| claim.has_forms());
-            if let Some(certificate) = theorem.and_then(|t| evident::refute(t, &scope)) {
-                return judged(name, Outcome::Refuted, "refuted", certificate);
+            let count = drones.map(|n| n as usize);
+            if let Some(found) = theorem.and_then(|t| refute::evident(t, *form, count, weights)) {
+                return judged(name, Outcome::Refuted, "refuted", certificate::refutation(&found));
             }
             match prove(claim, &scope, effort) {
                 Found::Certificate(certificate) => {

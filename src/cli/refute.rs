@@ -17,7 +17,9 @@ use cordon_core::theorems;
 use cordon_core::{Error, Outcome, Rational, Result, range};
 use cordon_proof::certificate::{self, Departure, REJECTED};
 use cordon_proof::counterexample::Counterexample;
-use cordon_proof::refute::{Answer, Coverage, Extent, Query, Weights, activation, delay, search};
+use cordon_proof::refute::{
+    Coverage, Extent, SearchResult, SearchSpace, activation, delay, search,
+};
 
 /// Arguments of `cordon refute`.
 #[derive(clap::Args, Debug)]
@@ -74,18 +76,18 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if let Some(path) = &args.protocol {
         return own_protocol::refute(path, &args.own_search()?, args.format, out);
     }
-    let queries = args.queries()?;
-    if args.out.is_some() && queries.len() > 1 {
-        let named = queries.len();
+    let spaces = args.spaces()?;
+    if args.out.is_some() && spaces.len() > 1 {
+        let named = spaces.len();
         return Err(Error::input(format!("out: {named} theorems are named: expected one")));
     }
     let mut outcome = Outcome::Holds;
     let mut results = Vec::new();
-    for query in &queries {
+    for space in &spaces {
         let answer = match args.delay {
-            Some(longest) => delay::search(query, longest)?,
-            None if args.activation => activation::search(query)?,
-            None => search(query),
+            Some(longest) => delay::search(space, longest)?,
+            None if args.activation => activation::search(space)?,
+            None => search(space),
         };
         outcome = outcome.worst(match &answer.found {
             Some(_) => Outcome::Refuted,
@@ -102,12 +104,12 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         };
         match args.format {
             OutputFormat::Text => {
-                args.text(query, &answer, out)?;
+                args.text(space, &answer, out)?;
                 if let Some(file) = file {
                     writeln!(out, "  wrote   {file}")?;
                 }
             }
-            OutputFormat::Json => results.push(as_json(query, &answer)),
+            OutputFormat::Json => results.push(as_json(space, &answer)),
         }
     }
     if args.format == OutputFormat::Json {
@@ -141,10 +143,7 @@ impl Args {
     }
 
     fn own_search(&self) -> Result<own_protocol::Search> {
-        let weights = match self.weights()? {
-            Weights::Given(weights) => Some(weights),
-            Weights::InRange(_) => None,
-        };
+        let weights = self.eps.as_ref().map(|_| self.weights()).transpose()?;
         let start = self.start.as_deref().map(positions).transpose()?;
         Ok(own_protocol::Search {
             weights,
@@ -154,29 +153,31 @@ impl Args {
         })
     }
 
-    fn queries(&self) -> Result<Vec<Query>> {
+    fn spaces(&self) -> Result<Vec<SearchSpace>> {
         let theorems = theorems::named(self.theorem.as_deref().unwrap_or("all"))?;
         let drones: Vec<usize> = range::whole("drones", &self.drones, 3..=MOST_DRONES)?.collect();
         let weights = self.weights()?;
         let form = Form::from(self.form);
-        let query = |theorem| Query {
+        let space = |theorem| SearchSpace {
             theorem,
             form,
             drones: drones.clone(),
             weights: weights.clone(),
+            any_weight: self.eps.is_some(),
             steps: self.steps,
         };
-        Ok(theorems.into_iter().map(query).collect())
+        Ok(theorems.into_iter().map(space).collect())
     }
 
-    fn weights(&self) -> Result<Weights> {
+    /// The weights of --eps, by default those of the unit interval.
+    fn weights(&self) -> Result<Vec<Rational>> {
         let Some(text) = &self.eps else {
             let unit = fractions_within(&Rational::zero(), &Rational::one(), self.denominators);
-            return Ok(Weights::InRange(unit));
+            return Ok(unit);
         };
         let (lo, hi) = range::closed("eps", text)?;
         if lo == hi {
-            return Ok(Weights::Given(vec![lo]));
+            return Ok(vec![lo]);
         }
         if &hi - &lo > Rational::from_integer(100.into()) {
             return Err(Error::input(format!(
@@ -190,22 +191,22 @@ impl Args {
                 self.denominators
             )));
         }
-        Ok(Weights::Given(within))
+        Ok(within)
     }
 
-    fn text(&self, query: &Query, answer: &Answer, out: &mut dyn Write) -> Result<()> {
-        let t = theorems::words(query.theorem);
-        let hypothesis = query.theorem.hypothesis(query.form);
+    fn text(&self, space: &SearchSpace, answer: &SearchResult, out: &mut dyn Write) -> Result<()> {
+        let t = theorems::words(space.theorem);
+        let hypothesis = space.theorem.hypothesis(space.form);
         let manner = match (self.activation, self.delay) {
             (true, _) => ", any subset of the drones skipping any step".to_owned(),
             (_, Some(d)) => format!(", neighbours seen up to {d} steps late"),
             _ => String::new(),
         };
-        let label = query.form.label();
+        let label = space.form.label();
         writeln!(
             out,
             "{} {} ({label} form{manner}): starts {}",
-            query.theorem.number(),
+            space.theorem.number(),
             t.name,
             theorems::starts(hypothesis.starts)
         )?;
@@ -213,15 +214,15 @@ impl Args {
             Some(found) => refuted(found, theorems::weights(hypothesis.weights), out)?,
             None => writeln!(out, "  not refuted: no counterexample was found")?,
         }
-        for line in coverage_lines(&answer.covered, |extent| self.extent(query, extent)) {
+        for line in coverage_lines(&answer.covered, |extent| self.extent(space, extent)) {
             writeln!(out, "  {line}")?;
         }
         Ok(())
     }
 
     /// What is known where no counterexample was found.
-    fn extent(&self, query: &Query, extent: Extent) -> String {
-        let steps = query.steps;
+    fn extent(&self, space: &SearchSpace, extent: Extent) -> String {
+        let steps = space.steps;
         match (extent, self.activation, self.delay) {
             (Extent::EveryStartAndStep, true, _) => {
                 "none exists: complete for all starts, steps and patterns (inductive)".to_owned()
@@ -230,7 +231,7 @@ impl Args {
                 "none exists: complete for all starts, steps and delays whatsoever (inductive)"
                     .to_owned()
             }
-            (Extent::EveryStartAndStep, ..) if query.theorem == Theorem::Limit => {
+            (Extent::EveryStartAndStep, ..) if space.theorem == Theorem::Limit => {
                 "none exists: complete for all starts and all steps (I - A^2 positive definite)"
                     .to_owned()
             }
@@ -311,10 +312,10 @@ fn coverage_lines(covered: &[Coverage], describe: impl Fn(Extent) -> String) -> 
     lines
 }
 
-fn as_json(query: &Query, answer: &Answer) -> Value {
+fn as_json(space: &SearchSpace, answer: &SearchResult) -> Value {
     json!({
-        "theorem": query.theorem.number(),
-        "form": query.form.label(),
+        "theorem": space.theorem.number(),
+        "form": space.form.label(),
         "refuted": answer.found.is_some(),
         "counterexample": answer.found.as_ref().map(Counterexample::to_json),
         "covered": answer.covered.iter().map(|c| json!({

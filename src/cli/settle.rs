@@ -9,7 +9,7 @@ use super::scenario_args::positions;
 use super::select::OutputFormat;
 use cordon_core::exact::{self, decimal_string, fraction};
 use cordon_core::linear::perron::Perron;
-use cordon_core::{Error, Outcome, Rational, Result};
+use cordon_core::{Error, Evidence, Outcome, Rational, Result};
 use cordon_proof::certificate::{self, REJECTED};
 use cordon_proof::settle::{Contraction, Observed, Proved, Settling, Starts, settling};
 use cordon_proof::threshold::convergence::rounded_up_below_one;
@@ -202,7 +202,7 @@ fn as_json(found: &Settling) -> Value {
             "settles": true,
             "proved": proved.iter().map(|p| json!({
                 "step": p.step,
-                "evidence": "certified",
+                "evidence": Evidence::Certified,
                 "contraction": describe(&p.by).0,
                 "rate_at_most": rounded_up(&p.rate).as_ref().map(fraction),
             })).collect::<Vec<_>>(),

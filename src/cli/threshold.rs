@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::select::OutputFormat;
 use cordon_core::exact::{decimal_string, fraction};
-use cordon_core::{Outcome, Rational, Result};
+use cordon_core::{Evidence, Outcome, Rational, Result};
 use cordon_proof::certificate::{self, REJECTED};
 use cordon_proof::threshold::convergence::{self, Bracket};
 use cordon_proof::threshold::safety::{self, Cone, Critical};
@@ -98,7 +98,7 @@ fn keep(args: &Args, cone: Cone, out: &mut dyn Write) -> Result<Outcome> {
                 "critical": fraction(&found.critical),
                 "exact": true,
                 "holds_at_critical": true,
-                "below": { "eps": fraction(&found.critical), "evidence": "inductive", "coefficients": found.entries },
+                "below": { "eps": fraction(&found.critical), "evidence": Evidence::Inductive, "coefficients": found.entries },
                 "above": found.above.to_json(),
                 "files": files,
             });

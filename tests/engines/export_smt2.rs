@@ -7,9 +7,9 @@ use std::process::{Command, Stdio};
 
 use crate::common::tools::{cordon, has_tool, stderr_of, stdout_of};
 use cordon_core::Rational;
-use cordon_proof::export::claim::Claim;
-use cordon_proof::export::smt_model::{Answer, read_answer};
-use cordon_proof::export::smt2::{Obligation, Query, Weights, has_beyond, obligations};
+use cordon_proof::export::conjecture::Conjecture;
+use cordon_proof::export::smt_model::{Response, read_answer};
+use cordon_proof::export::smt2::{Obligation, Query, WeightDomain, has_beyond, obligations};
 use cordon_spec::coverage::exec_coverage;
 use cordon_spec::theorems::{Form, Setting, StartSet, Truth, Verdict, telescoping_residual};
 use cordon_spec::{Params, State};
@@ -216,7 +216,7 @@ fn formulas_agree_with_the_spec_at_random_points() {
     let mut random = Lcg(SEED);
     let (mut compared, mut queries) = (0, 0);
     let mut met = BTreeMap::new();
-    for claim in Claim::ALL {
+    for claim in Conjecture::ALL {
         for form in Form::ALL {
             for drones in 3..=5 {
                 // Without restriction of the weights something is to be found.
@@ -226,10 +226,15 @@ fn formulas_agree_with_the_spec_at_random_points() {
                     high: rational(2, 1),
                     high_closed: false,
                 };
-                let mut list = obligations(claim, form, drones, &Weights::OfHypothesis);
-                list.extend(obligations(claim, form, drones, &Weights::Interval(wide.clone())));
+                let mut list = obligations(claim, form, drones, &WeightDomain::OfHypothesis);
+                list.extend(obligations(
+                    claim,
+                    form,
+                    drones,
+                    &WeightDomain::Interval(wide.clone()),
+                ));
                 let violated = Obligation::Violated { steps: 1 };
-                for weights in [Weights::Beyond, Weights::Interval(wide)] {
+                for weights in [WeightDomain::Beyond, WeightDomain::Interval(wide)] {
                     list.push(Query { claim, form, drones, obligation: violated, weights });
                 }
                 for query in list {
@@ -429,7 +434,7 @@ fn hostile_answers_are_refused() {
 /// Longest time a solver may take for one query, in seconds.
 const SOLVER_SECONDS: u32 = 30;
 
-fn solved(query: &Query) -> Answer {
+fn solved(query: &Query) -> Response {
     read_answer(query, &solver_output(&query.text()))
         .unwrap_or_else(|e| panic!("{}: {e}", query.name()))
 }
@@ -452,10 +457,10 @@ fn a_solver_proves_every_obligation_of_the_sharp_forms() {
         return;
     }
     let mut proved = 0;
-    for claim in Claim::ALL {
+    for claim in Conjecture::ALL {
         for drones in 3..=6 {
-            for query in obligations(claim, Form::Sharp, drones, &Weights::OfHypothesis) {
-                assert_eq!(solved(&query), Answer::Unsat, "{}", query.name());
+            for query in obligations(claim, Form::Sharp, drones, &WeightDomain::OfHypothesis) {
+                assert_eq!(solved(&query), Response::Unsat, "{}", query.name());
                 proved += 1;
             }
         }
@@ -469,13 +474,13 @@ fn a_solver_finds_the_errata_of_the_paper_forms_and_no_others() {
         return;
     }
     let (mut refuted, mut proved) = (Vec::new(), 0);
-    for claim in Claim::ALL {
+    for claim in Conjecture::ALL {
         for drones in 3..=6 {
-            for query in obligations(claim, Form::Paper, drones, &Weights::OfHypothesis) {
+            for query in obligations(claim, Form::Paper, drones, &WeightDomain::OfHypothesis) {
                 match solved(&query) {
-                    Answer::Unsat => proved += 1,
-                    Answer::Sat(_) => refuted.push(query.name()),
-                    Answer::Unknown(why) => panic!("{}: {why}", query.name()),
+                    Response::Unsat => proved += 1,
+                    Response::Sat(_) => refuted.push(query.name()),
+                    Response::Unknown(why) => panic!("{}: {why}", query.name()),
                 }
             }
         }
@@ -508,15 +513,20 @@ fn beyond_the_range_a_solver_finds_models_that_replay() {
     }
     let (mut found, mut none) = (Vec::new(), Vec::new());
     let (mut outside, mut replayed) = (0, 0);
-    for claim in Claim::ALL {
+    for claim in Conjecture::ALL {
         for drones in 3..=6 {
             if !has_beyond(claim, drones) {
                 outside += 1;
                 continue;
             }
             let obligation = Obligation::Violated { steps: 3 };
-            let query =
-                Query { claim, form: Form::Sharp, drones, obligation, weights: Weights::Beyond };
+            let query = Query {
+                claim,
+                form: Form::Sharp,
+                drones,
+                obligation,
+                weights: WeightDomain::Beyond,
+            };
             let name = format!("{claim} {drones}");
             // As a user would: the solver's output goes back into the program, and the line it
             // prints is run.
@@ -530,7 +540,7 @@ fn beyond_the_range_a_solver_finds_models_that_replay() {
                     let line =
                         said.lines().find_map(|l| l.strip_prefix("replay: cordon ")).unwrap();
                     let traced = cordon(&line.split(' ').collect::<Vec<_>>());
-                    let checked = matches!(claim, Claim::Theorem(_));
+                    let checked = matches!(claim, Conjecture::Theorem(_));
                     assert_eq!(traced.status.code(), Some(i32::from(checked)), "{name}: {line}");
                     replayed += usize::from(checked);
                     found.push(name);

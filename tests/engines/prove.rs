@@ -4,8 +4,10 @@ use std::fs;
 use assert_cmd::Command;
 use cordon_core::Rational;
 use cordon_core::simplex::feasible;
+use cordon_proof::certificate;
 use cordon_proof::prove::claims::{Claim, Kind};
-use cordon_proof::prove::{Effort, Found, Scope, evident, prove};
+use cordon_proof::prove::{Effort, Found, Scope, prove};
+use cordon_proof::refute::evident;
 use cordon_spec::activation::exec_coverage_active;
 use cordon_spec::coverage::exec_coverage;
 use cordon_spec::delay::exec_coverage_delayed;
@@ -282,9 +284,9 @@ fn evident_counterexamples_are_accepted_by_the_checker() {
     let mut found = 0;
     for theorem in Theorem::ALL {
         for form in Form::ALL {
-            let scope = Scope { form, weights: None, drones: None };
-            if let Some(page) = evident::refute(theorem, &scope) {
+            if let Some(counterexample) = evident(theorem, form, None, None) {
                 assert_eq!(form, Form::Paper, "{theorem:?}");
+                let page = certificate::refutation(&counterexample);
                 assert_eq!(cordon_check::check(&page.to_string()).code(), 0, "{page}");
                 found += 1;
             }

@@ -5,16 +5,20 @@ use cordon_core::Rational;
 use cordon_core::linear::simplest::{fractions_within, strictly_between};
 use cordon_proof::certificate::{Departure, refutation};
 use cordon_proof::counterexample::Counterexample;
-use cordon_proof::refute::{Extent, Query, Weights, activation, delay, search};
+use cordon_proof::refute::{Extent, SearchSpace, activation, delay, search};
 use cordon_spec::theorems::{Form, Theorem};
 use num_traits::{One, Zero};
 
-fn query(theorem: Theorem, form: Form, drones: &[usize], weights: Weights) -> Query {
-    Query { theorem, form, drones: drones.to_vec(), weights, steps: 4 }
+/// Weights, and whether they count beyond the theorem's range.
+type Weights = (Vec<Rational>, bool);
+
+fn space(theorem: Theorem, form: Form, drones: &[usize], weights: Weights) -> SearchSpace {
+    let (weights, any_weight) = weights;
+    SearchSpace { theorem, form, drones: drones.to_vec(), weights, any_weight, steps: 4 }
 }
 
 fn given(weights: &str) -> Weights {
-    Weights::Given(qs(weights))
+    (qs(weights), true)
 }
 
 fn valid(found: &Counterexample) -> bool {
@@ -43,7 +47,7 @@ fn the_search_misses_nothing_that_a_lattice_of_starts_has() {
         for form in Form::ALL {
             for count in [3, 4] {
                 for eps in ["0", "1/4", "1/2", "2/3", "1", "5/4", "-1/3"] {
-                    let answer = search(&query(theorem, form, &[count], given(eps)));
+                    let answer = search(&space(theorem, form, &[count], given(eps)));
                     let eps = q(eps);
                     let bound = match &answer.found {
                         Some(c) => {
@@ -90,8 +94,8 @@ fn every_theorem_stands_in_its_own_range() {
     let weights = fractions_within(&Rational::zero(), &Rational::one(), 6);
     let mut pairs = 0;
     for theorem in Theorem::ALL {
-        let own = Weights::InRange(weights.clone());
-        let answer = search(&query(theorem, Form::Sharp, &[3, 4, 5], own));
+        let own = (weights.clone(), false);
+        let answer = search(&space(theorem, Form::Sharp, &[3, 4, 5], own));
         assert!(answer.found.is_none(), "{theorem:?}");
         let for_ever = |c: &cordon_proof::refute::Coverage| c.extent == Extent::EveryStartAndStep;
         assert!(answer.covered.iter().all(for_ever), "{theorem:?}");
@@ -108,8 +112,8 @@ fn printed_forms_fail_at_zero_weight() {
     for (theorem, drones) in
         [(Theorem::ConstantSum, 3), (Theorem::GloballyIncreasing, 5), (Theorem::Limit, 3)]
     {
-        let weights = Weights::InRange(qs("0, 1/4"));
-        let found = search(&query(theorem, Form::Paper, &[3, 4, 5], weights)).found.unwrap();
+        let weights = (qs("0, 1/4"), false);
+        let found = search(&space(theorem, Form::Paper, &[3, 4, 5], weights)).found.unwrap();
         assert_eq!((found.start().len(), found.eps.clone()), (drones, q("0")), "{theorem:?}");
         assert!(found.weight_is_in_range() && valid(&found));
     }
@@ -121,7 +125,7 @@ fn beyond_one_half_the_smallest_counterexamples_are_one_step_long() {
     for (theorem, smallest) in [(Theorem::Ordering, 4), (Theorem::UpperBound, 3)] {
         for eps in ["501/1000", "4/7", "3/4", "1"] {
             let drones = [3, 4, 5];
-            let found = search(&query(theorem, Form::Sharp, &drones, given(eps))).found.unwrap();
+            let found = search(&space(theorem, Form::Sharp, &drones, given(eps))).found.unwrap();
             assert_eq!((found.start().len(), found.step), (smallest, 1), "{theorem:?} {eps}");
             assert!(!found.weight_is_in_range() && valid(&found));
             seen += 1;
@@ -134,25 +138,25 @@ fn beyond_one_half_the_smallest_counterexamples_are_one_step_long() {
 fn skipped_updates_break_nothing_up_to_one_half() {
     let weights = fractions_within(&Rational::zero(), &q("1/2"), 5);
     for theorem in [Theorem::Ordering, Theorem::UpperBound, Theorem::SumBounded] {
-        let own = Weights::Given(weights.clone());
-        let answer = activation::search(&query(theorem, Form::Sharp, &[3, 4, 5], own)).unwrap();
+        let own = (weights.clone(), true);
+        let answer = activation::search(&space(theorem, Form::Sharp, &[3, 4, 5], own)).unwrap();
         assert!(answer.found.is_none());
         assert_eq!(answer.covered.len(), 3 * weights.len());
         assert!(answer.covered.iter().all(|c| c.extent == Extent::EveryStartAndStep));
     }
-    let found = activation::search(&query(Theorem::Ordering, Form::Sharp, &[3, 4], given("2/3")));
+    let found = activation::search(&space(Theorem::Ordering, Form::Sharp, &[3, 4], given("2/3")));
     let found = found.unwrap().found.unwrap();
     assert_eq!((found.start().len(), found.step), (4, 1));
     assert!(matches!(found.departure, Departure::Activation(_)) && valid(&found));
-    let refused = query(Theorem::SumNonDecreasing, Form::Sharp, &[3], given("1/3"));
+    let refused = space(Theorem::SumNonDecreasing, Form::Sharp, &[3], given("1/3"));
     assert!(activation::search(&refused).is_err());
 }
 
 #[test]
 fn stale_messages_break_ordering_and_never_the_bounds() {
-    let own = || Weights::InRange(fractions_within(&Rational::zero(), &Rational::one(), 4));
+    let own = || (fractions_within(&Rational::zero(), &Rational::one(), 4), false);
     let ordering = |drones: &[usize], weights| {
-        delay::search(&query(Theorem::Ordering, Form::Sharp, drones, weights), 3).unwrap()
+        delay::search(&space(Theorem::Ordering, Form::Sharp, drones, weights), 3).unwrap()
     };
     let answer = ordering(&[3, 4, 5], own());
     let found = answer.found.unwrap();
@@ -176,7 +180,7 @@ fn stale_messages_break_ordering_and_never_the_bounds() {
     );
     assert!(valid(&known.unwrap()));
     for theorem in [Theorem::UpperBound, Theorem::SumBounded] {
-        let answer = delay::search(&query(theorem, Form::Sharp, &[3, 4, 5], own()), 3).unwrap();
+        let answer = delay::search(&space(theorem, Form::Sharp, &[3, 4, 5], own()), 3).unwrap();
         assert!(answer.found.is_none());
         assert!(answer.covered.iter().all(|c| c.extent == Extent::EveryStartAndStep));
         assert!(!answer.covered.is_empty());

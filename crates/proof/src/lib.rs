@@ -8,5 +8,7 @@ pub mod own_protocol;
 pub mod prove;
 pub mod refute;
 pub mod settle;
+mod start_sets;
 pub mod sweep;
+mod symbolic;
 pub mod threshold;

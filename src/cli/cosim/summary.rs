@@ -2,9 +2,8 @@
 
 use std::io::Write;
 
-use comfy_table::{CellAlignment, Table, presets};
-
-use cordon_core::Result;
+use crate::cli::table;
+use cordon_core::{Evidence, Result};
 use cordon_cosim::collision::{Event, EventKind};
 use cordon_cosim::record::Record;
 
@@ -29,7 +28,7 @@ pub fn text(record: &Record, out: &mut dyn Write) -> Result<()> {
         writeln!(out, ", N = {}, eps = {}, {rhythm}; {with}", record.count, s.weight)?;
     }
     writeln!(out)?;
-    table(record, out)?;
+    positions(record, out)?;
     events(record, out)?;
     if let Some(why) = &record.broken_off {
         writeln!(out, "\nthe run broke off: {why}")?;
@@ -37,32 +36,24 @@ pub fn text(record: &Record, out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
-fn table(record: &Record, out: &mut dyn Write) -> Result<()> {
+fn positions(record: &Record, out: &mut dyn Write) -> Result<()> {
     let shown = record.count.min(8);
     let last = record.rows().saturating_sub(1);
     let every = (last / ROWS).max(1);
-    let mut table = Table::new();
-    table.load_preset(presets::NOTHING);
     let mut head = vec!["t [s]".to_owned()];
     head.extend((0..shown).map(|i| format!("x_d{i}")));
-    head.extend((0..shown).map(|i| format!("x{i}")));
-    table.set_header(head);
-    let rows = (0..=last).filter(|row| row % every == 0 || *row == last);
-    for row in rows {
+    head.extend(table::names(shown));
+    let mut rows = vec![head];
+    let shown_rows = (0..=last).filter(|row| row % every == 0 || *row == last);
+    for row in shown_rows {
         let time = record.times.get(row).copied().unwrap_or_default();
         let mut cells = vec![format!("{time:.2}")];
         for positions in [record.desired_at(row), record.actual_at(row)] {
             cells.extend(positions.iter().take(shown).map(|x| format!("{x:.2}")));
         }
-        table.add_row(cells);
+        rows.push(cells);
     }
-    for column in table.column_iter_mut() {
-        column.set_cell_alignment(CellAlignment::Right);
-        column.set_padding((0, 2));
-    }
-    for line in table.lines() {
-        writeln!(out, "{}", line.trim_end())?;
-    }
+    table::write(&rows, out)?;
     if shown < record.count {
         writeln!(
             out,
@@ -80,12 +71,13 @@ fn events(record: &Record, out: &mut dyn Write) -> Result<()> {
         return Ok(());
     };
     writeln!(out)?;
+    let only = Evidence::ThisRunOnly;
     let count = |kind| events.iter().filter(|e| e.kind == kind).count();
     if count(EventKind::Collision) == 0 {
-        writeln!(out, "no collision, at the grid points and between them (this run only)")?;
+        writeln!(out, "no collision, at the grid points and between them ({only})")?;
     }
     if count(EventKind::OrderLost) == 0 {
-        writeln!(out, "the drones stay in order (this run only)")?;
+        writeln!(out, "the drones stay in order ({only})")?;
     }
     for event in events.iter().take(LISTED) {
         writeln!(out, "{}", sentence(event))?;

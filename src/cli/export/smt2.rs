@@ -9,10 +9,10 @@ use super::super::select::FormArg;
 
 use cordon_core::files::{self, Limit};
 use cordon_core::{Error, Outcome, Result, range};
-use cordon_proof::export::claim::Claim;
-use cordon_proof::export::smt_model::{Answer, Model, Replay, read_answer, replay};
+use cordon_proof::export::conjecture::Conjecture;
+use cordon_proof::export::smt_model::{Model, Replay, Response, read_answer, replay};
 use cordon_proof::export::smt2::{
-    MAX_DRONES, MIN_DRONES, Obligation, Query, Weights, has_beyond, obligations,
+    MAX_DRONES, MIN_DRONES, Obligation, Query, WeightDomain, has_beyond, obligations,
 };
 
 /// Arguments of `cordon export smt2`.
@@ -32,7 +32,7 @@ pub struct Args {
     /// Which reading of the theorems
     #[arg(long, value_enum, default_value_t = FormArg::Sharp)]
     pub form: FormArg,
-    /// Weights instead of the theorem's: a range like `0..1/2` or `(1/2,1]`
+    /// WeightDomain instead of the theorem's: a range like `0..1/2` or `(1/2,1]`
     #[arg(long, value_name = "LO..HI", allow_hyphen_values = true)]
     pub eps_range: Option<String>,
     /// Ask for a counterexample to the theorem: beyond its weights (within 0 <= eps <= 1), or in --eps-range
@@ -76,7 +76,7 @@ fn script(queries: &[Query]) -> String {
 }
 
 fn queries(args: &Args) -> Result<Vec<Query>> {
-    let claims = Claim::named(args.claims.as_deref().unwrap_or("all"))?;
+    let claims = Conjecture::named(args.claims.as_deref().unwrap_or("all"))?;
     let drones = range::whole("drones", &args.drones, MIN_DRONES..=MAX_DRONES)?;
     let interval =
         args.eps_range.as_deref().map(|t| range::interval("eps-range", t)).transpose()?;
@@ -85,13 +85,14 @@ fn queries(args: &Args) -> Result<Vec<Query>> {
     for claim in claims {
         for n in drones.clone() {
             if !args.negate {
-                let weights = interval.clone().map_or(Weights::OfHypothesis, Weights::Interval);
+                let weights =
+                    interval.clone().map_or(WeightDomain::OfHypothesis, WeightDomain::Interval);
                 queries.extend(obligations(claim, form, n, &weights));
                 continue;
             }
             let weights = match &interval {
-                Some(interval) => Weights::Interval(interval.clone()),
-                None if has_beyond(claim, n) => Weights::Beyond,
+                Some(interval) => WeightDomain::Interval(interval.clone()),
+                None if has_beyond(claim, n) => WeightDomain::Beyond,
                 None if args.claims.is_none() || args.claims.as_deref() == Some("all") => continue,
                 None => {
                     return Err(Error::input(format!(
@@ -115,18 +116,18 @@ fn answer(queries: &[Query], path: &std::path::Path, out: &mut dyn Write) -> Res
     };
     let text = files::read_text(path, Limit::ANSWER)?;
     match read_answer(query, &text)? {
-        Answer::Unsat => {
+        Response::Unsat => {
             writeln!(out, "unsat: the solver finds no counterexample")?;
             Ok(Outcome::Holds)
         }
-        Answer::Unknown(word) => {
+        Response::Unknown(word) => {
             writeln!(out, "{word}: the solver gave up")?;
             Ok(Outcome::Inconclusive)
         }
-        Answer::Sat(None) => Err(Error::input(
+        Response::Sat(None) => Err(Error::input(
             "solver's model: expected values after `sat` (the answer to `get-value`)",
         )),
-        Answer::Sat(Some(model)) => report(query, &model, out),
+        Response::Sat(Some(model)) => report(query, &model, out),
     }
 }
 
@@ -158,7 +159,7 @@ fn report(query: &Query, model: &Model, out: &mut dyn Write) -> Result<Outcome> 
 /// What makes `cordon trace` check the claim, where it is a theorem.
 fn check_flags(query: &Query) -> String {
     match query.claim {
-        Claim::Theorem(_) => format!(" --check={} --form={}", query.claim, query.form.label()),
-        Claim::Mirror | Claim::Box => String::new(),
+        Conjecture::Theorem(_) => format!(" --check={} --form={}", query.claim, query.form.label()),
+        Conjecture::Mirror | Conjecture::Box => String::new(),
     }
 }

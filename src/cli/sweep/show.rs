@@ -2,13 +2,13 @@
 
 use std::io::Write;
 
-use comfy_table::{CellAlignment, Table, presets};
 use serde_json::json;
 
 use crate::cli::select::OutputFormat;
+use crate::cli::table;
 use cordon_core::exact::fraction;
 use cordon_core::theorems::words;
-use cordon_core::{Outcome, Rational, Result};
+use cordon_core::{Evidence, Outcome, Rational, Result};
 use cordon_proof::sweep::store::{Header, Shard};
 use cordon_proof::sweep::summary::{Summary, outcome, summaries};
 use cordon_proof::sweep::{Config, Finding, Judgement, StartSpace, WeightSet};
@@ -52,10 +52,8 @@ fn text(
     }
     writeln!(out)?;
     let complete = header.config.starts == StartSpace::Complete;
-    let mut table = Table::new();
-    table.load_preset(presets::NOTHING);
     let starts = if complete { "generators" } else { "starts" };
-    table.set_header([
+    let header = [
         "theorem",
         "form",
         "verdict",
@@ -66,9 +64,10 @@ fn text(
         "non-vacuous",
         "violations",
         "evidence",
-    ]);
-    for c in summaries {
-        table.add_row([
+    ];
+    let mut rows = vec![header.map(str::to_owned).to_vec()];
+    rows.extend(summaries.iter().map(|c| {
+        vec![
             c.theorem.number().to_owned(),
             c.form.label().to_owned(),
             c.verdict.text().to_owned(),
@@ -78,14 +77,11 @@ fn text(
             c.counts.cases.to_string(),
             c.counts.non_vacuous.to_string(),
             c.counts.violations.to_string(),
-            c.evidence.map_or("none", |e| e.text()).to_owned(),
-        ]);
-    }
-    for column in table.column_iter_mut().skip(3).take(6) {
-        column.set_cell_alignment(CellAlignment::Right);
-    }
-    for line in table.lines() {
-        writeln!(out, "{}", line.trim())?;
+            c.evidence.map_or("none", Evidence::text).to_owned(),
+        ]
+    }));
+    for line in table::lines(&rows, |i| !(3..9).contains(&i)) {
+        writeln!(out, "{line}")?;
     }
     for c in summaries {
         about(c, out)?;

@@ -4,7 +4,7 @@ use std::io::Write;
 
 use serde_json::json;
 
-use crate::cli::aligned::aligned;
+use crate::cli::table;
 use cordon_core::{Error, Outcome, Result};
 use cordon_run::fast::verify::{self, Verification};
 use cordon_run::fast::{Answer, Engine, Rule, digits, engine};
@@ -188,9 +188,9 @@ pub fn certain(
         }
         Shape::Table => {
             let mut head = vec![String::from("step")];
-            head.extend((0..scenario.count()).map(|i| format!("x{i}")));
+            head.extend(table::names(scenario.count()));
             let line = |d: &digits::Digits| [vec![d.k.to_string()], decimals(d)].concat();
-            aligned(&head, None, found.iter().map(line), out)?;
+            table::stream(&head, None, found.iter().map(line), out)?;
         }
     }
     let short = found.iter().any(|d| d.certain() < places);

@@ -7,9 +7,9 @@ use std::time::Instant;
 use cordon_spec::theorems::{Form, Theorem};
 
 use super::{Evidence, Status, Tier, Verdict};
-use cordon_proof::export::claim::Claim;
-use cordon_proof::export::smt_model::{Answer, read_answer};
-use cordon_proof::export::smt2::{Query, Weights, obligations};
+use cordon_proof::export::conjecture::Conjecture;
+use cordon_proof::export::smt_model::{Response, read_answer};
+use cordon_proof::export::smt2::{Query, WeightDomain, obligations};
 
 /// The tier: z3, where it is on PATH.
 #[derive(Clone, Copy, Debug)]
@@ -42,8 +42,8 @@ impl Tier for Smt {
     }
 
     fn status(&self, theorem: Theorem) -> Status {
-        let claim = Claim::Theorem(theorem);
-        if !Claim::ALL.contains(&claim) {
+        let claim = Conjecture::Theorem(theorem);
+        if !Conjecture::ALL.contains(&claim) {
             return Status::NotClaimed("a limit has no inductive step".into());
         }
         if version().is_none() {
@@ -51,7 +51,7 @@ impl Tier for Smt {
         }
         let started = Instant::now();
         let queries: Vec<_> = DRONES
-            .flat_map(|n| obligations(claim, Form::Sharp, n, &Weights::OfHypothesis))
+            .flat_map(|n| obligations(claim, Form::Sharp, n, &WeightDomain::OfHypothesis))
             .collect();
         let verdict = queries.iter().map(solve).find(|v| *v != Verdict::Holds);
         let (first, last) = (DRONES.start(), DRONES.end());
@@ -80,9 +80,9 @@ fn solve(query: &Query) -> Verdict {
         .map_err(|e| e.to_string())
         .and_then(|text| read_answer(query, &text).map_err(|e| e.to_string()))
     {
-        Ok(Answer::Unsat) => Verdict::Holds,
-        Ok(Answer::Sat(_)) => Verdict::Refuted(format!("obligation {name} is satisfiable")),
-        Ok(Answer::Unknown(word)) => Verdict::Inconclusive(format!("obligation {name}: {word}")),
+        Ok(Response::Unsat) => Verdict::Holds,
+        Ok(Response::Sat(_)) => Verdict::Refuted(format!("obligation {name} is satisfiable")),
+        Ok(Response::Unknown(word)) => Verdict::Inconclusive(format!("obligation {name}: {word}")),
         Err(why) => Verdict::Inconclusive(format!("obligation {name}: {why}")),
     }
 }

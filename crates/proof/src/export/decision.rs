@@ -7,58 +7,11 @@
 //! names the next comparison to branch on, with three answers each. What results is a decision
 //! diagram, shared and reduced, and its text is the formula.
 
-use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
-use std::rc::Rc;
 
 use super::term::Term;
-
-/// A comparison of two terms.
-type Question = (Term, Term);
-
-/// Who answers comparisons during one run.
-#[derive(Debug, Default)]
-pub struct Oracle {
-    state: RefCell<Path>,
-}
-
-#[derive(Debug, Default)]
-struct Path {
-    answers: Vec<(Question, Ordering)>,
-    first_open: Option<Question>,
-}
-
-impl Oracle {
-    /// An oracle that knows nothing yet.
-    pub fn new() -> Rc<Self> {
-        Rc::default()
-    }
-
-    /// The order of `a` and `b` on the path being explored; `None`, and remembered as the next
-    /// question, where the path says nothing of it.
-    pub(super) fn ask(&self, a: &Term, b: &Term) -> Option<Ordering> {
-        let mut path = self.state.borrow_mut();
-        for ((p, q), order) in &path.answers {
-            if p == a && q == b {
-                return Some(*order);
-            }
-            if p == b && q == a {
-                return Some(order.reverse());
-            }
-        }
-        path.first_open.get_or_insert_with(|| (a.clone(), b.clone()));
-        None
-    }
-
-    fn begin(&self, answers: &[(Question, Ordering)]) {
-        *self.state.borrow_mut() = Path { answers: answers.to_vec(), first_open: None };
-    }
-
-    fn first_open(&self) -> Option<Question> {
-        self.state.borrow().first_open.clone()
-    }
-}
+use crate::symbolic::{Oracle, Question};
 
 /// A node of a [`Diagram`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -72,7 +25,7 @@ pub enum Node {
 /// What follows from each answer to a question.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Branch {
-    question: Question,
+    question: Question<Term>,
     less: Node,
     equal: Node,
     greater: Node,
@@ -92,31 +45,17 @@ impl Diagram {
     /// On a path that answers every comparison and still leaves the predicate undecided (only
     /// impossible paths do, such as drone 0 away from its place) the diagram says `in_doubt`:
     /// the side that can only make a proof harder.
-    pub fn explore(oracle: &Oracle, in_doubt: bool, predicate: impl Fn() -> Option<bool>) -> Self {
+    pub fn explore(
+        oracle: &Oracle<Term>,
+        in_doubt: bool,
+        predicate: impl Fn() -> Option<bool>,
+    ) -> Self {
         let known = BTreeMap::new();
         let mut builder = Builder { oracle, in_doubt, predicate: &predicate, known };
         let root = builder.node(&mut Vec::new());
         let mut branches: Vec<_> = builder.known.into_iter().collect();
         branches.sort_by_key(|&(_, number)| number);
         Self { branches: branches.into_iter().map(|(branch, _)| branch).collect(), root }
-    }
-
-    /// The number of branches.
-    pub fn len(&self) -> usize {
-        self.branches.len()
-    }
-
-    /// Whether the diagram is one answer.
-    pub fn is_empty(&self) -> bool {
-        self.branches.is_empty()
-    }
-
-    /// The answer, where it does not depend on any comparison.
-    pub fn constant(&self) -> Option<bool> {
-        match self.root {
-            Node::Answer(answer) => Some(answer),
-            Node::Branch(_) => None,
-        }
     }
 
     /// The formula as SMT-LIB: definitions of shared parts, named `prefix` and a number, and a
@@ -165,7 +104,7 @@ fn node_text(node: Node, texts: &[String]) -> String {
 
 impl Branch {
     fn text(&self, texts: &[String]) -> String {
-        let (a, b) = &self.question;
+        let [a, b] = &self.question;
         let is = |relation: &str| format!("({relation} {a} {b})");
         let then = |condition: String, yes, no| if_then_else(condition, yes, no, texts);
         match (self.less, self.equal, self.greater) {
@@ -208,19 +147,19 @@ fn joined(op: &str, first: &str, rest: &str) -> String {
 }
 
 struct Builder<'b, P> {
-    oracle: &'b Oracle,
+    oracle: &'b Oracle<Term>,
     in_doubt: bool,
     predicate: &'b P,
     known: BTreeMap<Branch, usize>,
 }
 
 impl<P: Fn() -> Option<bool>> Builder<'_, P> {
-    fn node(&mut self, path: &mut Vec<(Question, Ordering)>) -> Node {
-        self.oracle.begin(path);
-        if let Some(answer) = (self.predicate)() {
+    fn node(&mut self, path: &mut Vec<(Question<Term>, Ordering)>) -> Node {
+        let (known, open) = self.oracle.assuming(path, self.predicate);
+        if let Some(answer) = known {
             return Node::Answer(answer);
         }
-        let Some(question) = self.oracle.first_open() else {
+        let Some(question) = open.into_iter().next() else {
             return Node::Answer(self.in_doubt);
         };
         let mut follow = |answer| {

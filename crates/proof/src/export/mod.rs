@@ -5,9 +5,9 @@
 //! compute on terms ([`term`], [`decision`]). PVS, a specification language of its own, is a
 //! mirror with generated parts ([`pvs`]).
 
-pub mod claim;
-pub mod decision;
+pub mod conjecture;
+mod decision;
 pub mod pvs;
 pub mod smt2;
 pub mod smt_model;
-pub mod term;
+mod term;

@@ -20,15 +20,16 @@ use cordon_spec::theorems::{Form, Setting, Theorem, Truth, Verdict, WeightRange}
 use cordon_spec::{Params, State};
 use num_traits::Signed;
 
-use super::claim::Claim;
-use super::decision::{Diagram, Oracle};
-use super::term::{Symbolic, Term};
+use super::conjecture::Conjecture;
+use super::decision::Diagram;
+use super::term::Term;
+use crate::symbolic::{Oracle, Symbol};
 use cordon_core::Rational;
 use cordon_core::range::Interval;
 
 /// Which weights a query is about.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Weights {
+pub enum WeightDomain {
     /// Those of the claim's hypothesis.
     OfHypothesis,
     /// 0 <= eps <= 1 (the paper's definition 6) without those of the sharp hypothesis.
@@ -90,7 +91,7 @@ impl Obligation {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Query {
     /// Theorem or companion.
-    pub claim: Claim,
+    pub claim: Conjecture,
     /// Which reading.
     pub form: Form,
     /// The number of drones N.
@@ -98,7 +99,7 @@ pub struct Query {
     /// What is asked.
     pub obligation: Obligation,
     /// Of which weights.
-    pub weights: Weights,
+    pub weights: WeightDomain,
 }
 
 /// Smallest number of drones the protocol is about.
@@ -110,7 +111,12 @@ pub const MAX_DRONES: usize = 9;
 
 /// The proof obligations of a claim, in order. All of them `unsat` prove it for this number of
 /// drones, for all steps.
-pub fn obligations(claim: Claim, form: Form, drones: usize, weights: &Weights) -> Vec<Query> {
+pub fn obligations(
+    claim: Conjecture,
+    form: Form,
+    drones: usize,
+    weights: &WeightDomain,
+) -> Vec<Query> {
     let query = |obligation| Query { claim, form, drones, obligation, weights: weights.clone() };
     let mut queries = Vec::new();
     if !claim.starts_are_invariant(form) {
@@ -118,14 +124,14 @@ pub fn obligations(claim: Claim, form: Form, drones: usize, weights: &Weights) -
     }
     queries.push(query(Obligation::Preserved));
     queries.push(query(Obligation::Concluded));
-    if (claim, form) == (Claim::Theorem(Theorem::SumNonDecreasing), Form::Sharp) {
-        queries.push(Query { weights: Weights::OfHypothesis, ..query(Obligation::Identity) });
+    if (claim, form) == (Conjecture::Theorem(Theorem::SumNonDecreasing), Form::Sharp) {
+        queries.push(Query { weights: WeightDomain::OfHypothesis, ..query(Obligation::Identity) });
     }
     queries
 }
 
 /// Whether some weight of 0 <= eps <= 1 lies outside the claim's sharp hypothesis.
-pub fn has_beyond(claim: Claim, drones: usize) -> bool {
+pub fn has_beyond(claim: Conjecture, drones: usize) -> bool {
     match claim.weights(Form::Sharp) {
         WeightRange::Any | WeightRange::Unit => false,
         WeightRange::UpToHalfOrOne => drones > MIN_DRONES,
@@ -152,11 +158,11 @@ impl Query {
             range.contains(&setting.eps_num, &setting.eps_den, self.drones).is_true()
         };
         match &self.weights {
-            Weights::OfHypothesis => within(self.claim.weights(self.form)),
-            Weights::Beyond => {
+            WeightDomain::OfHypothesis => within(self.claim.weights(self.form)),
+            WeightDomain::Beyond => {
                 within(WeightRange::Unit) && !within(self.claim.weights(Form::Sharp))
             }
-            Weights::Interval(i) => i.contains(&(&setting.eps_num / &setting.eps_den)),
+            WeightDomain::Interval(i) => i.contains(&(&setting.eps_num / &setting.eps_den)),
         }
     }
 
@@ -173,18 +179,18 @@ fn position(i: usize, k: usize) -> String {
 
 struct Writer<'q> {
     query: &'q Query,
-    oracle: Rc<Oracle>,
-    params: Params<Symbolic>,
-    setting: Setting<Symbolic>,
+    oracle: Rc<Oracle<Term>>,
+    params: Params<Symbol<Term>>,
+    setting: Setting<Symbol<Term>>,
     /// Step k of the run, as constants.
-    run: Vec<Vec<Symbolic>>,
+    run: Vec<Vec<Symbol<Term>>>,
     text: String,
 }
 
 impl<'q> Writer<'q> {
     fn new(query: &'q Query) -> Self {
         let oracle = Oracle::new();
-        let symbol = |name: &str| Symbolic::symbol(name, &oracle);
+        let symbol = |name: &str| oracle.symbol(Term::Symbol(name.into()));
         let params = Params { min: symbol("min"), max: symbol("max"), eps: symbol("eps"), n: 0 };
         let setting = Setting::from(&params);
         let start = (0..query.drones).map(|i| symbol(&position(i, 0))).collect();
@@ -229,7 +235,7 @@ impl<'q> Writer<'q> {
                     &w.run[0],
                     &w.run[1],
                 );
-                let line = format!("(assert (not (= {} 0.0)))", residual.term);
+                let line = format!("(assert (not (= {} 0.0)))", residual.expression);
                 self.line("; telescoping_residual is not zero");
                 self.line(line);
             }
@@ -275,12 +281,12 @@ impl<'q> Writer<'q> {
             r.contains(&w.setting.eps_num, &w.setting.eps_den, w.query.drones)
         };
         match &self.query.weights {
-            Weights::OfHypothesis => {
+            WeightDomain::OfHypothesis => {
                 let hypothesis = claim.weights(self.query.form);
                 let diagram = self.is(|w| range(w, hypothesis));
                 self.assert(&format!("weights: {}", theorems::weights(hypothesis)), "w", &diagram);
             }
-            Weights::Beyond => {
+            WeightDomain::Beyond => {
                 let unit = self.is(|w| range(w, WeightRange::Unit));
                 self.assert(
                     &format!("weights: {}", theorems::weights(WeightRange::Unit)),
@@ -291,7 +297,7 @@ impl<'q> Writer<'q> {
                 let beyond = self.not(|w| range(w, sharp));
                 self.assert(&format!("but not: {}", theorems::weights(sharp)), "w", &beyond);
             }
-            Weights::Interval(i) => {
+            WeightDomain::Interval(i) => {
                 let relation = |closed| if closed { "<=" } else { "<" };
                 let low = format!("(assert ({} {} eps))", relation(i.low_closed), real(&i.low));
                 let high = format!("(assert ({} eps {}))", relation(i.high_closed), real(&i.high));
@@ -330,8 +336,8 @@ impl<'q> Writer<'q> {
             let mut names = Vec::new();
             for (i, x) in after.iter().enumerate() {
                 let name = position(i, k);
-                self.line(format!("(define-fun {name} () Real {})", x.term));
-                names.push(Symbolic::symbol(&name, &self.oracle));
+                self.line(format!("(define-fun {name} () Real {})", x.expression));
+                names.push(self.oracle.symbol(Term::Symbol(name.into())));
             }
             self.run.push(names);
         }

@@ -10,7 +10,7 @@ use cordon_core::{Error, Rational, Result, exact, violation};
 
 /// What a solver said.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Answer {
+pub enum Response {
     /// No model exists.
     Unsat,
     /// A model exists; its values if the solver gave them.
@@ -35,16 +35,16 @@ const MAX_DEPTH: usize = 200;
 ///
 /// # Errors
 /// Text that is no solver's answer, or a model with values that are no rational numbers.
-pub fn read_answer(query: &Query, text: &str) -> Result<Answer> {
+pub fn read_answer(query: &Query, text: &str) -> Result<Response> {
     let text = text.trim_start();
     let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
     match word {
-        "unsat" => Ok(Answer::Unsat),
-        "unknown" | "timeout" => Ok(Answer::Unknown(word.to_owned())),
+        "unsat" => Ok(Response::Unsat),
+        "unknown" | "timeout" => Ok(Response::Unknown(word.to_owned())),
         "sat" => {
             let rest = rest.trim();
             let model = if rest.is_empty() { None } else { Some(read_model(query, rest)?) };
-            Ok(Answer::Sat(model))
+            Ok(Response::Sat(model))
         }
         other => {
             let shown: String = other.chars().take(40).collect();

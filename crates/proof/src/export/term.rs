@@ -5,11 +5,11 @@ use std::fmt;
 use std::ops::{Add, Mul, Sub};
 use std::rc::Rc;
 
-use cordon_spec::{Ordered, Scalar};
+use cordon_spec::Scalar;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
-use super::decision::Oracle;
+use crate::symbolic::{Compared, Expression};
 
 /// A term over the reals: integer constants, named constants, sums, differences, products.
 ///
@@ -29,39 +29,39 @@ pub enum Term {
     Mul(Rc<(Term, Term)>),
 }
 
-impl Term {
-    fn add(a: &Self, b: &Self) -> Self {
-        match (a, b) {
+impl Add<&Self> for Term {
+    type Output = Self;
+
+    fn add(self, other: &Self) -> Self {
+        match (&self, other) {
             (Self::Int(m), Self::Int(n)) => Self::Int(m + n),
             (Self::Int(z), x) | (x, Self::Int(z)) if z.is_zero() => x.clone(),
-            _ => Self::Add(Rc::new((a.clone(), b.clone()))),
+            _ => Self::Add(Rc::new((self, other.clone()))),
         }
     }
+}
 
-    fn sub(a: &Self, b: &Self) -> Self {
-        match (a, b) {
+impl Sub<&Self> for Term {
+    type Output = Self;
+
+    fn sub(self, other: &Self) -> Self {
+        match (&self, other) {
             (Self::Int(m), Self::Int(n)) => Self::Int(m - n),
-            (x, Self::Int(z)) if z.is_zero() => x.clone(),
-            _ => Self::Sub(Rc::new((a.clone(), b.clone()))),
+            (_, Self::Int(z)) if z.is_zero() => self,
+            _ => Self::Sub(Rc::new((self, other.clone()))),
         }
     }
+}
 
-    fn mul(a: &Self, b: &Self) -> Self {
-        match (a, b) {
+impl Mul<&Self> for Term {
+    type Output = Self;
+
+    fn mul(self, other: &Self) -> Self {
+        match (&self, other) {
             (Self::Int(m), Self::Int(n)) => Self::Int(m * n),
             (Self::Int(z), _) | (_, Self::Int(z)) if z.is_zero() => Self::Int(BigInt::zero()),
             (Self::Int(u), x) | (x, Self::Int(u)) if u.is_one() => x.clone(),
-            _ => Self::Mul(Rc::new((a.clone(), b.clone()))),
-        }
-    }
-
-    /// The order of the two terms where it is the same for all values of the symbols and needs
-    /// no algebra: two constants, or the same term twice.
-    fn order_by_form(&self, other: &Self) -> Option<Ordering> {
-        match (self, other) {
-            (Self::Int(a), Self::Int(b)) => Some(a.cmp(b)),
-            (a, b) if a == b => Some(Ordering::Equal),
-            _ => None,
+            _ => Self::Mul(Rc::new((self, other.clone()))),
         }
     }
 }
@@ -84,65 +84,19 @@ impl fmt::Display for Term {
     }
 }
 
-/// A term that knows whom to ask when it is compared: the scalar on which the spec is executed.
-///
-/// Comparing two of them asks the [`Oracle`], which answers from the path that is being
-/// explored and remembers the question. Constants know no oracle; comparing two constants needs
-/// none.
-#[derive(Clone, Debug)]
-pub struct Symbolic {
-    /// The term.
-    pub term: Term,
-    oracle: Option<Rc<Oracle>>,
-}
-
-impl Symbolic {
-    /// The constant of this name.
-    pub fn symbol(name: &str, oracle: &Rc<Oracle>) -> Self {
-        Self { term: Term::Symbol(name.into()), oracle: Some(Rc::clone(oracle)) }
-    }
-
-    fn combine(self, other: &Self, op: impl Fn(&Term, &Term) -> Term) -> Self {
-        let term = op(&self.term, &other.term);
-        Self { term, oracle: self.oracle.or_else(|| other.oracle.clone()) }
-    }
-}
-
-impl Add<&Self> for Symbolic {
-    type Output = Self;
-
-    fn add(self, other: &Self) -> Self {
-        self.combine(other, Term::add)
-    }
-}
-
-impl Sub<&Self> for Symbolic {
-    type Output = Self;
-
-    fn sub(self, other: &Self) -> Self {
-        self.combine(other, Term::sub)
-    }
-}
-
-impl Mul<&Self> for Symbolic {
-    type Output = Self;
-
-    fn mul(self, other: &Self) -> Self {
-        self.combine(other, Term::mul)
-    }
-}
-
-impl Scalar for Symbolic {
+impl Scalar for Term {
     fn from_int(n: i32) -> Self {
-        Self { term: Term::Int(n.into()), oracle: None }
+        Self::Int(n.into())
     }
 }
 
-impl Ordered for Symbolic {
-    fn compare(&self, other: &Self) -> Option<Ordering> {
-        self.term.order_by_form(&other.term).or_else(|| {
-            let oracle = self.oracle.as_ref().or(other.oracle.as_ref())?;
-            oracle.ask(&self.term, &other.term)
-        })
+impl Expression for Term {
+    /// The order is known where it needs no algebra: two constants, or the same term twice.
+    fn compared(&self, other: &Self) -> Compared<Self> {
+        match (self, other) {
+            (Self::Int(a), Self::Int(b)) => Compared::Known(a.cmp(b)),
+            (a, b) if a == b => Compared::Known(Ordering::Equal),
+            (a, b) => Compared::Open([a.clone(), b.clone()]),
+        }
     }
 }

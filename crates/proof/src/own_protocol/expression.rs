@@ -5,6 +5,7 @@ use num_traits::Zero;
 
 use cordon_core::Rational;
 use cordon_core::exact;
+use cordon_core::linear::feasible::Sign;
 
 /// An expression. It is evaluated on any scalars: exact numbers, forms, polynomials.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,23 +39,12 @@ pub struct Comparison {
     /// What is said to be nonnegative, positive or zero.
     pub difference: Expression,
     /// `<`, `<=` or `=` as signs of the difference.
-    pub relation: Relation,
-}
-
-/// A relation to zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Relation {
-    /// `> 0`
-    Positive,
-    /// `>= 0`
-    NonNegative,
-    /// `= 0`
-    Zero,
+    pub relation: Sign,
 }
 
 /// What is wrong with an expression, and at which character.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fault {
+pub struct SyntaxError {
     /// Offset in bytes.
     pub at: usize,
     /// In words.
@@ -114,7 +104,7 @@ impl Expression {
     ///
     /// # Errors
     /// Anything else, with the place.
-    pub fn parse(text: &str, count: usize) -> Result<Self, Fault> {
+    pub fn parse(text: &str, count: usize) -> Result<Self, SyntaxError> {
         let mut parser = Parser { text, at: 0, count, depth: 0 };
         let expression = parser.sum()?;
         parser.end()?;
@@ -127,7 +117,7 @@ impl Expression {
 ///
 /// # Errors
 /// Anything else, with the place.
-pub fn parse_claim(text: &str, count: usize) -> Result<Vec<Comparison>, Fault> {
+pub fn parse_claim(text: &str, count: usize) -> Result<Vec<Comparison>, SyntaxError> {
     let mut parser = Parser { text, at: 0, count, depth: 0 };
     let mut left = parser.sum()?;
     let mut comparisons = Vec::new();
@@ -163,13 +153,13 @@ impl Parser<'_> {
         trimmed
     }
 
-    fn fault(&mut self, message: &str) -> Fault {
+    fn fault(&mut self, message: &str) -> SyntaxError {
         let found: String = self.rest().chars().take(12).collect();
         let found = if found.is_empty() { "the end".to_owned() } else { format!("`{found}`") };
-        Fault { at: self.at, message: format!("{message}, found {found}") }
+        SyntaxError { at: self.at, message: format!("{message}, found {found}") }
     }
 
-    fn end(&mut self) -> Result<(), Fault> {
+    fn end(&mut self) -> Result<(), SyntaxError> {
         if self.rest().is_empty() {
             Ok(())
         } else {
@@ -177,13 +167,13 @@ impl Parser<'_> {
         }
     }
 
-    fn relation(&mut self) -> Option<(&'static str, Relation, bool)> {
+    fn relation(&mut self) -> Option<(&'static str, Sign, bool)> {
         let signs = [
-            ("<=", Relation::NonNegative, false),
-            (">=", Relation::NonNegative, true),
-            ("<", Relation::Positive, false),
-            (">", Relation::Positive, true),
-            ("=", Relation::Zero, false),
+            ("<=", Sign::NonNegative, false),
+            (">=", Sign::NonNegative, true),
+            ("<", Sign::Positive, false),
+            (">", Sign::Positive, true),
+            ("=", Sign::Zero, false),
         ];
         let rest = self.rest().to_owned();
         signs.into_iter().find(|(sign, ..)| rest.starts_with(sign))
@@ -197,7 +187,7 @@ impl Parser<'_> {
         found
     }
 
-    fn sum(&mut self) -> Result<Expression, Fault> {
+    fn sum(&mut self) -> Result<Expression, SyntaxError> {
         let mut total = self.product()?;
         loop {
             if self.take('+') {
@@ -210,7 +200,7 @@ impl Parser<'_> {
         }
     }
 
-    fn product(&mut self) -> Result<Expression, Fault> {
+    fn product(&mut self) -> Result<Expression, SyntaxError> {
         let mut total = self.factor()?;
         loop {
             if self.take('*') {
@@ -235,7 +225,7 @@ impl Parser<'_> {
         }
     }
 
-    fn factor(&mut self) -> Result<Expression, Fault> {
+    fn factor(&mut self) -> Result<Expression, SyntaxError> {
         self.depth += 1;
         if self.depth > DEEPEST {
             return Err(self.fault("is nested too deeply"));
@@ -245,7 +235,7 @@ impl Parser<'_> {
         factor
     }
 
-    fn atom(&mut self) -> Result<Expression, Fault> {
+    fn atom(&mut self) -> Result<Expression, SyntaxError> {
         if self.take('-') {
             let zero = Expression::Number(Rational::zero());
             return Ok(match self.factor()? {
@@ -267,7 +257,7 @@ impl Parser<'_> {
         Ok(atom)
     }
 
-    fn word(&mut self, word: &str) -> Result<Expression, Fault> {
+    fn word(&mut self, word: &str) -> Result<Expression, SyntaxError> {
         if word == "eps" {
             return Ok(Expression::Eps);
         }
@@ -281,7 +271,7 @@ impl Parser<'_> {
             Some(i) => {
                 let last = self.count.saturating_sub(1);
                 let message = format!("`x{i}` is no drone: expected x0 to x{last}");
-                Err(Fault { at: self.at, message })
+                Err(SyntaxError { at: self.at, message })
             }
             None => Err(self.fault("expected a number, `eps`, a position like `x0`, or `(`")),
         }

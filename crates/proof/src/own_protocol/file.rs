@@ -7,8 +7,8 @@ use std::path::Path;
 use serde::Deserialize;
 use toml::{Spanned, Value};
 
-use super::expression::{Expression, Fault, parse_claim};
-use super::{Claim, OwnProtocol, Update};
+use super::expression::{Expression, SyntaxError, parse_claim};
+use super::{OwnProtocol, Predicate, Update};
 use cordon_core::files::{self, Limit};
 use cordon_core::{Error, Rational, Result, range};
 use cordon_run::scenario::Topology;
@@ -167,20 +167,20 @@ impl Reader<'_> {
         }
     }
 
-    fn fault(&self, field: &str, span: &Range<usize>, fault: &Fault) -> Error {
+    fn fault(&self, field: &str, span: &Range<usize>, fault: &SyntaxError) -> Error {
         // Inside the quotation marks; escapes have no use in expressions.
         let at = span.start + 1 + fault.at;
         self.source.error(&(at..span.end), &format!("{field}: {}", fault.message))
     }
 
-    fn claims(&self, field: &str, list: &[Spanned<String>]) -> Result<Vec<Claim>> {
+    fn claims(&self, field: &str, list: &[Spanned<String>]) -> Result<Vec<Predicate>> {
         let mut claims = Vec::new();
         for written in list {
             let comparisons = parse_claim(written.get_ref(), self.count)
                 .map_err(|fault| self.fault(field, &written.span(), &fault))?;
             for comparison in comparisons {
                 self.check_claim(field, &written.span(), &comparison.difference)?;
-                claims.push(Claim { text: written.get_ref().clone(), comparison });
+                claims.push(Predicate { text: written.get_ref().clone(), comparison });
             }
             if claims.len() > MOST_COMPARISONS {
                 let message = format!("{field}: expected at most {MOST_COMPARISONS} comparisons");

@@ -20,7 +20,7 @@ use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Sign};
 use cordon_run::scenario::Topology;
-use expression::{Comparison, Expression, Relation};
+use expression::{Comparison, Expression};
 
 /// A checked protocol: every update is affine in the positions and affine in eps, every claim
 /// affine in the positions.
@@ -36,9 +36,9 @@ pub struct OwnProtocol {
     graph: Option<Topology>,
     updates: Vec<Update>,
     /// What is assumed of the start, as written.
-    pub starts: Vec<Claim>,
+    pub starts: Vec<Predicate>,
     /// What is claimed of every step, as written.
-    pub claims: Vec<Claim>,
+    pub claims: Vec<Predicate>,
 }
 
 /// How a drone moves.
@@ -52,7 +52,7 @@ enum Update {
 
 /// One comparison with the text that it comes from.
 #[derive(Clone, Debug)]
-pub struct Claim {
+pub struct Predicate {
     /// As written.
     pub text: String,
     comparison: Comparison,
@@ -106,28 +106,19 @@ impl OwnProtocol {
     }
 }
 
-impl Claim {
+impl Predicate {
     /// The claim about positions that are forms, as a constraint on their variables.
     pub fn about(&self, x: &[Affine]) -> Constraint {
         let number = |n: &Rational| Affine::constant(n.clone());
         let none = Affine::from_int(0);
         let form = self.comparison.difference.value(&number, &none, x);
-        let sign = match self.comparison.relation {
-            Relation::Positive => Sign::Positive,
-            Relation::NonNegative => Sign::NonNegative,
-            Relation::Zero => Sign::Zero,
-        };
-        Constraint { form, sign }
+        Constraint { form, sign: self.comparison.relation }
     }
 
     /// Whether the claim holds of a placement.
     pub fn holds(&self, x: &[Rational]) -> bool {
         let value = self.comparison.difference.value(&Rational::clone, &Rational::zero(), x);
-        match self.comparison.relation {
-            Relation::Positive => value > Rational::zero(),
-            Relation::NonNegative => value >= Rational::zero(),
-            Relation::Zero => value.is_zero(),
-        }
+        self.comparison.relation.met_by(&value)
     }
 }
 

@@ -19,7 +19,7 @@ const LOOK_AHEAD: usize = 4;
 
 /// A proof: the claims hold at every step from every assumed start, for all weights in range.
 #[derive(Clone, Debug)]
-pub struct Proof {
+pub struct InductiveProof {
     /// Half-spaces of the invariant, those of the claims first.
     pub half_spaces: usize,
     /// How many of them say what the claims say.
@@ -36,11 +36,11 @@ pub fn is_vacuous(protocol: &OwnProtocol) -> bool {
 }
 
 /// A proof, if the search finds one. None does not mean that a claim is false.
-pub fn prove(protocol: &OwnProtocol) -> Option<Proof> {
+pub fn prove(protocol: &OwnProtocol) -> Option<InductiveProof> {
     let weights = protocol.extreme_weights();
     let depth = if weights.len() == 1 { LOOK_AHEAD } else { 1 };
     let x = protocol.variables();
-    let constraints = |claims: &[super::Claim], at: &[Affine]| -> Vec<Constraint> {
+    let constraints = |claims: &[super::Predicate], at: &[Affine]| -> Vec<Constraint> {
         claims.iter().flat_map(|c| inequalities(&c.about(at))).collect()
     };
     let starts = constraints(&protocol.starts, &x);
@@ -85,7 +85,7 @@ fn kept(
     weights: &[Rational],
     mut pool: Vec<Constraint>,
     claimed: usize,
-) -> Option<Proof> {
+) -> Option<InductiveProof> {
     let x = protocol.variables();
     loop {
         let mut proofs: Vec<Vec<Option<Vec<Rational>>>> = Vec::new();
@@ -104,7 +104,7 @@ fn kept(
                 .zip(&proofs)
                 .map(|(eps, rows)| Some((eps.clone(), sealed(protocol, eps, &pool, rows)?)))
                 .collect::<Option<Vec<_>>>()?;
-            return Some(Proof { half_spaces: pool.len(), claimed, certificates });
+            return Some(InductiveProof { half_spaces: pool.len(), claimed, certificates });
         }
         if failed.iter().take(claimed).any(|&f| f) {
             return None;

@@ -3,7 +3,6 @@
 
 pub mod certificate;
 pub mod claims;
-pub mod evident;
 pub mod exactness;
 mod exchange;
 mod goals;

@@ -6,9 +6,10 @@ use cordon_spec::State;
 use cordon_spec::activation::exec_coverage_active;
 use cordon_spec::theorems::{Form, Theorem};
 
-use super::starts::Region;
+use super::region::Region;
 use super::{
-    Answer, Coverage, Extent, Query, is_conjunction, leaving_start, params, violating_start,
+    Coverage, Extent, SearchResult, SearchSpace, is_conjunction, leaving_start, params,
+    violating_start,
 };
 use crate::certificate::Departure;
 use crate::counterexample::Counterexample;
@@ -25,38 +26,38 @@ const MOST_PLACEMENTS: usize = 3_000;
 ///
 /// # Errors
 /// The theorem reads more than one placement, or there are more than [`MOST`] drones.
-pub fn search(query: &Query) -> Result<Answer> {
-    let number = query.theorem.number();
-    if !single_placement(query.theorem, query.form) {
+pub fn search(space: &SearchSpace) -> Result<SearchResult> {
+    let number = space.theorem.number();
+    if !single_placement(space.theorem, space.form) {
         return Err(Error::input(format!(
             "theorem: `{number}` with skipped updates: expected 7.2, 7.3 or 7.4i"
         )));
     }
-    if let Some(count) = query.drones.iter().find(|&&n| n > MOST) {
+    if let Some(count) = space.drones.iter().find(|&&n| n > MOST) {
         return Err(Error::input(format!(
             "drones: `{count}` with skipped updates: expected at most {MOST}"
         )));
     }
     let mut covered = Vec::new();
-    for &count in &query.drones {
+    for &count in &space.drones {
         let mut open = Vec::new();
-        for eps in query.weights.of(query.theorem, query.form, count) {
-            if kept_by_every_pattern(query, count, &eps) {
+        for eps in space.weights_for(count) {
+            if kept_by_every_pattern(space, count, &eps) {
                 covered.push(Coverage { count, eps, extent: Extent::EveryStartAndStep });
             } else {
-                open.push(Patterns::new(query, count, eps));
+                open.push(Patterns::new(space, count, eps));
             }
         }
-        for k in 0..=query.steps {
+        for k in 0..=space.steps {
             for patterns in &mut open {
                 if let Some(found) = patterns.at_step(k) {
-                    return Ok(Answer { found: Some(found), covered });
+                    return Ok(SearchResult { found: Some(found), covered });
                 }
             }
         }
         covered.extend(open.into_iter().map(|p| Coverage { count, eps: p.eps, extent: p.extent }));
     }
-    Ok(Answer { found: None, covered })
+    Ok(SearchResult { found: None, covered })
 }
 
 /// Whether the conclusion is about one placement and made of comparisons.
@@ -81,12 +82,12 @@ fn step(eps: &Rational, placement: &[Affine], active: &[usize]) -> Vec<Affine> {
 }
 
 /// Whether every pattern takes the start set into itself and no start in it is a violation.
-fn kept_by_every_pattern(query: &Query, count: usize, eps: &Rational) -> bool {
-    let set = query.theorem.hypothesis(query.form).starts;
+fn kept_by_every_pattern(space: &SearchSpace, count: usize, eps: &Rational) -> bool {
+    let set = space.theorem.hypothesis(space.form).starts;
     let region = Region::of(set, count);
     let start = region.placement();
     let (violation, complete) =
-        violating_start(query.theorem, query.form, set, &region, eps, std::slice::from_ref(&start));
+        violating_start(space.theorem, space.form, set, &region, eps, std::slice::from_ref(&start));
     let kept = |active: &Vec<usize>| {
         leaving_start(set, &region, eps, &[step(eps, &start, active)]).is_none()
     };
@@ -95,7 +96,7 @@ fn kept_by_every_pattern(query: &Query, count: usize, eps: &Rational) -> bool {
 
 /// Every placement that patterns can lead to, step after step.
 struct Patterns<'q> {
-    query: &'q Query,
+    space: &'q SearchSpace,
     eps: Rational,
     region: Region,
     subsets: Vec<Vec<usize>>,
@@ -105,18 +106,18 @@ struct Patterns<'q> {
 }
 
 impl<'q> Patterns<'q> {
-    fn new(query: &'q Query, count: usize, eps: Rational) -> Self {
-        let region = Region::of(query.theorem.hypothesis(query.form).starts, count);
+    fn new(space: &'q SearchSpace, count: usize, eps: Rational) -> Self {
+        let region = Region::of(space.theorem.hypothesis(space.form).starts, count);
         let placements = vec![(region.placement(), Vec::new())];
         let subsets = subsets(count);
-        Self { query, eps, region, subsets, placements, extent: Extent::EveryStart }
+        Self { space, eps, region, subsets, placements, extent: Extent::EveryStart }
     }
 
     fn at_step(&mut self, k: usize) -> Option<Counterexample> {
         if k > 0 {
             self.advance();
         }
-        let (theorem, form) = (self.query.theorem, self.query.form);
+        let (theorem, form) = (self.space.theorem, self.space.form);
         let set = theorem.hypothesis(form).starts;
         for (placement, pattern) in &self.placements {
             let run = std::slice::from_ref(placement);

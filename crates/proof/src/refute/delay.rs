@@ -8,9 +8,11 @@ use cordon_spec::theorems::Truth;
 use num_traits::One;
 
 use super::activation::single_placement;
-use super::starts::Region;
-use super::symbolic::ways_to_fail;
-use super::{Answer, Coverage, Extent, Query, params, symbolic_setting, violating_start};
+use super::conjunction::ways_to_fail;
+use super::region::Region;
+use super::{
+    Coverage, Extent, SearchResult, SearchSpace, params, symbolic_setting, violating_start,
+};
 use crate::certificate::Departure;
 use crate::counterexample::Counterexample;
 use cordon_core::linear::affine::Affine;
@@ -30,18 +32,18 @@ fn links(count: usize) -> Vec<(usize, usize)> {
 ///
 /// # Errors
 /// The theorem reads more than one placement, or there are too many patterns of delays.
-pub fn search(query: &Query, longest: usize) -> Result<Answer> {
-    if !single_placement(query.theorem, query.form) {
+pub fn search(space: &SearchSpace, longest: usize) -> Result<SearchResult> {
+    if !single_placement(space.theorem, space.form) {
         return Err(Error::input(format!(
             "theorem: `{}` with stale messages: expected 7.2, 7.3 or 7.4i",
-            query.theorem.number()
+            space.theorem.number()
         )));
     }
     let mut covered = Vec::new();
-    for &count in &query.drones {
-        let weights = query.weights.of(query.theorem, query.form, count);
+    for &count in &space.drones {
+        let weights = space.weights_for(count);
         let (closed, open): (Vec<_>, Vec<_>) =
-            weights.into_iter().partition(|eps| kept_whatever_is_seen(query, count, eps));
+            weights.into_iter().partition(|eps| kept_whatever_is_seen(space, count, eps));
         let close = |eps| Coverage { count, eps, extent: Extent::EveryStartAndStep };
         covered.extend(closed.into_iter().map(close));
         if open.is_empty() {
@@ -52,20 +54,20 @@ pub fn search(query: &Query, longest: usize) -> Result<Answer> {
         for eps in &open {
             for delays in &patterns {
                 let last = match &best {
-                    None => query.steps,
+                    None => space.steps,
                     Some(found) if found.step == 0 => break,
                     Some(found) => found.step - 1,
                 };
-                best = along(query, count, eps, delays, last).or(best);
+                best = along(space, count, eps, delays, last).or(best);
             }
         }
         if best.is_some() {
-            return Ok(Answer { found: best, covered });
+            return Ok(SearchResult { found: best, covered });
         }
         let extent = Extent::EveryStart;
         covered.extend(open.into_iter().map(|eps| Coverage { count, eps, extent }));
     }
-    Ok(Answer { found: None, covered })
+    Ok(SearchResult { found: None, covered })
 }
 
 /// All delays of the links, the smallest total first.
@@ -94,13 +96,13 @@ fn age(links: &[(usize, usize)], delays: &[usize], t: usize, i: usize, j: usize)
 
 /// The first counterexample with these delays up to step `last`.
 fn along(
-    query: &Query,
+    space: &SearchSpace,
     count: usize,
     eps: &Rational,
     delays: &[usize],
     last: usize,
 ) -> Option<Counterexample> {
-    let (theorem, form) = (query.theorem, query.form);
+    let (theorem, form) = (space.theorem, space.form);
     let set = theorem.hypothesis(form).starts;
     let region = Region::of(set, count);
     let params = params(eps, Affine::constant);
@@ -143,12 +145,12 @@ fn along(
 ///
 /// Every position seen is an indeterminate of its own. That is only tried for sets given by a
 /// bound on each drone alone (theorem 7.3, and 7.4 (i) through it).
-fn kept_whatever_is_seen(query: &Query, count: usize, eps: &Rational) -> bool {
-    let set = query.theorem.hypothesis(query.form).starts;
+fn kept_whatever_is_seen(space: &SearchSpace, count: usize, eps: &Rational) -> bool {
+    let set = space.theorem.hypothesis(space.form).starts;
     let region = Region::of(set, count);
     let start = region.placement();
     let (violation, complete) =
-        violating_start(query.theorem, query.form, set, &region, eps, std::slice::from_ref(&start));
+        violating_start(space.theorem, space.form, set, &region, eps, std::slice::from_ref(&start));
     if violation.is_some() || !complete || region.open {
         return false;
     }

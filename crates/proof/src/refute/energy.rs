@@ -5,7 +5,7 @@ use cordon_spec::theorems::{Form, Theorem, WeightRange};
 use num_bigint::BigInt;
 use num_traits::{One, Signed};
 
-use super::starts::Region;
+use super::region::Region;
 use crate::counterexample::Counterexample;
 use cordon_core::Rational;
 use cordon_core::linear::perron::Perron;

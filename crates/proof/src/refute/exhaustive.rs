@@ -5,8 +5,9 @@ use std::cmp::Ordering;
 
 use cordon_spec::theorems::{Setting, StartSet, Truth, Verdict};
 
-use super::starts::Region;
-use super::symbolic::{ANSWERS, Symbol, assumption, demands, evaluate};
+use super::conjunction::{assumption, demands};
+use super::region::Region;
+use crate::symbolic::{ANSWERS, Oracle, Question, Symbol};
 use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, point};
@@ -19,11 +20,11 @@ const MOST_NODES: usize = 4_000;
 pub fn violation(
     set: StartSet,
     region: &Region,
-    setting: &Setting<Symbol>,
+    setting: &Setting<Symbol<Affine>>,
     placements: &[Vec<Affine>],
-    conclusion: impl Fn(&[Vec<Symbol>]) -> Verdict,
+    conclusion: impl Fn(&[Vec<Symbol<Affine>>]) -> Verdict,
 ) -> (Option<Vec<Rational>>, bool) {
-    let contains = |run: &[Vec<Symbol>]| match run.first() {
+    let contains = |run: &[Vec<Symbol<Affine>>]| match run.first() {
         Some(x) => set.contains(setting, x),
         None => Truth::Unknown,
     };
@@ -31,10 +32,12 @@ pub fn violation(
     let Some(constraints) = demands(&start, contains, |t| *t == Truth::False) else {
         return (None, false);
     };
+    let oracle = Oracle::new();
+    let run = oracle.symbols(placements);
     let mut tree = Tree {
         variables: region.count.saturating_sub(2),
-        placements,
-        conclusion,
+        oracle: &oracle,
+        conclusion: || conclusion(&run),
         answers: Vec::new(),
         constraints,
         nodes: 0,
@@ -44,37 +47,37 @@ pub fn violation(
     (found, tree.complete)
 }
 
-struct Tree<'p, C> {
+struct Tree<'o, C> {
     variables: usize,
-    placements: &'p [Vec<Affine>],
+    oracle: &'o Oracle<Affine>,
     conclusion: C,
-    answers: Vec<Option<Ordering>>,
+    answers: Vec<(Question<Affine>, Ordering)>,
     constraints: Vec<Constraint>,
     nodes: usize,
     complete: bool,
 }
 
-impl<C: Fn(&[Vec<Symbol>]) -> Verdict> Tree<'_, C> {
+impl<C: Fn() -> Verdict> Tree<'_, C> {
     fn explore(&mut self) -> Option<Vec<Rational>> {
         self.nodes += 1;
         if self.nodes > MOST_NODES {
             self.complete = false;
             return None;
         }
-        let (verdict, asked) = evaluate(self.placements, &self.answers, &self.conclusion);
+        let (verdict, open) = self.oracle.assuming(&self.answers, &self.conclusion);
         match verdict {
             Verdict::Holds | Verdict::Vacuous => return None,
             Verdict::Violated(_) => return point(self.variables, &self.constraints),
             Verdict::Undecided => {}
         }
         // The next comparison, unless nothing that could be assumed is left.
-        let Some(difference) = asked.get(self.answers.len()).cloned() else {
+        let Some(question) = open.into_iter().next() else {
             self.complete = false;
             return None;
         };
         for answer in ANSWERS {
-            self.constraints.push(assumption(&difference, answer));
-            self.answers.push(Some(answer));
+            self.constraints.push(assumption(&question, answer));
+            self.answers.push((question.clone(), answer));
             let found = if point(self.variables, &self.constraints).is_some() {
                 self.explore()
             } else {

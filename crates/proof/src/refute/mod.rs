@@ -6,11 +6,11 @@
 //! holds at every step.
 
 pub mod activation;
+mod conjunction;
 pub mod delay;
 mod energy;
 mod exhaustive;
-mod starts;
-mod symbolic;
+mod region;
 
 use cordon_spec::coverage::exec_coverage;
 use cordon_spec::theorems::{Form, Setting, StartSet, Theorem, Truth, Verdict};
@@ -18,51 +18,39 @@ use cordon_spec::{Params, State};
 use num_traits::{One, Zero};
 
 use crate::counterexample::Counterexample;
+use crate::symbolic::Symbol;
+use conjunction::ways_to_fail;
 use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::Sign;
-use starts::Region;
-use symbolic::{Symbol, ways_to_fail};
+use region::Region;
 
 /// What is searched.
 #[derive(Clone, Debug)]
-pub struct Query {
+pub struct SearchSpace {
     /// The theorem.
     pub theorem: Theorem,
     /// In which form.
     pub form: Form,
     /// Numbers of drones, ascending.
     pub drones: Vec<usize>,
-    /// Weights, the simplest first; `None` for those of the theorem's own range with small
-    /// denominators.
-    pub weights: Weights,
+    /// Weights, the simplest first.
+    pub weights: Vec<Rational>,
+    /// Whether they are searched even where they are not in the theorem's own range.
+    pub any_weight: bool,
     /// Last step looked at.
     pub steps: usize,
 }
 
-/// Which weights are searched.
-#[derive(Clone, Debug)]
-pub enum Weights {
-    /// These, whatever the theorem says about weights.
-    Given(Vec<Rational>),
-    /// Of these, those in the theorem's own range.
-    InRange(Vec<Rational>),
-}
-
-impl Weights {
+impl SearchSpace {
     /// The weights for a number of drones.
-    fn of(&self, theorem: Theorem, form: Form, count: usize) -> Vec<Rational> {
-        match self {
-            Self::Given(weights) => weights.clone(),
-            Self::InRange(weights) => {
-                let range = theorem.hypothesis(form).weights;
-                let within = |eps: &&Rational| {
-                    let den = Rational::from_integer(eps.denom().clone());
-                    range.contains(&(*eps * &den), &den, count).is_true()
-                };
-                weights.iter().filter(within).cloned().collect()
-            }
-        }
+    fn weights_for(&self, count: usize) -> Vec<Rational> {
+        let range = self.theorem.hypothesis(self.form).weights;
+        let searched = |eps: &&Rational| {
+            let [num, den] = [eps.numer(), eps.denom()].map(|x| Rational::from_integer(x.clone()));
+            self.any_weight || range.contains(&num, &den, count).is_true()
+        };
+        self.weights.iter().filter(searched).cloned().collect()
     }
 }
 
@@ -90,7 +78,7 @@ pub struct Coverage {
 
 /// The result of a search.
 #[derive(Clone, Debug)]
-pub struct Answer {
+pub struct SearchResult {
     /// The smallest counterexample, by number of drones, then step, then weight.
     pub found: Option<Counterexample>,
     /// What was covered without one: everything, or all smaller numbers of drones.
@@ -98,32 +86,59 @@ pub struct Answer {
 }
 
 /// Searches.
-pub fn search(query: &Query) -> Answer {
+pub fn search(space: &SearchSpace) -> SearchResult {
     let mut covered = Vec::new();
-    for &count in &query.drones {
+    for &count in &space.drones {
         let mut open = Vec::new();
-        for eps in query.weights.of(query.theorem, query.form, count) {
-            if impossible_at_every_step(query.theorem, query.form, count, &eps) {
+        for eps in space.weights_for(count) {
+            if impossible_at_every_step(space.theorem, space.form, count, &eps) {
                 covered.push(Coverage { count, eps, extent: Extent::EveryStartAndStep });
             } else {
-                open.push(Search::new(query, count, eps));
+                open.push(Search::new(space, count, eps));
             }
         }
-        for k in 0..=query.steps {
+        for k in 0..=space.steps {
             for search in &mut open {
                 if let Some(found) = search.at_step(k) {
-                    return Answer { found: Some(found), covered };
+                    return SearchResult { found: Some(found), covered };
                 }
             }
         }
         covered.extend(open.into_iter().map(Search::covered));
     }
-    Answer { found: None, covered }
+    SearchResult { found: None, covered }
+}
+
+/// Most drones that [`evident`] tries: the printed 7.7 needs one off its target with index 3.
+const EVIDENT_DRONES: usize = 5;
+
+/// A counterexample that is cheap to find: up to 5 drones (or the given number, if it is no more),
+/// at the ends and the middle of the weights (by default those of \[0, 1\] that are in the
+/// theorem's own range), up to step 2. Worth a look before a proof is searched.
+pub fn evident(
+    theorem: Theorem,
+    form: Form,
+    drones: Option<usize>,
+    weights: Option<&(Rational, Rational)>,
+) -> Option<Counterexample> {
+    let fewest = drones.unwrap_or(3);
+    let most = drones.unwrap_or(EVIDENT_DRONES).min(EVIDENT_DRONES);
+    let (from, to) = weights.cloned().unwrap_or((Rational::zero(), Rational::one()));
+    let middle = (&from + &to) / Rational::from_integer(2.into());
+    let space = SearchSpace {
+        theorem,
+        form,
+        drones: (fewest..=most).collect(),
+        weights: vec![from, to, middle],
+        any_weight: weights.is_some(),
+        steps: 2,
+    };
+    search(&space).found
 }
 
 /// The search at one number of drones and one weight, step after step.
 struct Search<'q> {
-    query: &'q Query,
+    space: &'q SearchSpace,
     eps: Rational,
     region: Region,
     run: SymbolicRun,
@@ -131,14 +146,14 @@ struct Search<'q> {
 }
 
 impl<'q> Search<'q> {
-    fn new(query: &'q Query, count: usize, eps: Rational) -> Self {
-        let region = Region::of(query.theorem.hypothesis(query.form).starts, count);
+    fn new(space: &'q SearchSpace, count: usize, eps: Rational) -> Self {
+        let region = Region::of(space.theorem.hypothesis(space.form).starts, count);
         let run = SymbolicRun::new(&region, &eps);
-        Self { query, eps, region, run, extent: Extent::EveryStart }
+        Self { space, eps, region, run, extent: Extent::EveryStart }
     }
 
     fn at_step(&mut self, k: usize) -> Option<Counterexample> {
-        let (theorem, form) = (self.query.theorem, self.query.form);
+        let (theorem, form) = (self.space.theorem, self.space.form);
         let (start, complete) = if theorem == Theorem::Limit {
             (energy::violating_start(form, &self.region, &self.eps, k), false)
         } else {
@@ -197,8 +212,8 @@ fn params<S>(eps: &Rational, scalar: impl Fn(Rational) -> S) -> Params<S> {
     }
 }
 
-fn symbolic_setting(eps: &Rational) -> Setting<Symbol> {
-    Setting::from(&params(eps, Symbol::constant))
+fn symbolic_setting(eps: &Rational) -> Setting<Symbol<Affine>> {
+    Setting::from(&params(eps, |x| Symbol::constant(Affine::constant(x))))
 }
 
 /// Whether the conclusion is a conjunction of comparisons, so that each can be violated on its
@@ -221,7 +236,7 @@ fn violating_start(
     placements: &[Vec<Affine>],
 ) -> (Option<Vec<Rational>>, bool) {
     let setting = symbolic_setting(eps);
-    let conclusion = |run: &[Vec<Symbol>]| theorem.conclusion(form, &setting, run);
+    let conclusion = |run: &[Vec<Symbol<Affine>>]| theorem.conclusion(form, &setting, run);
     if is_conjunction(theorem) {
         let is_false = |v: &Verdict| matches!(v, Verdict::Violated(_));
         let mut ways = ways_to_fail(placements, conclusion, is_false);
@@ -267,8 +282,9 @@ fn leaving_start(
     placement: &[Vec<Affine>],
 ) -> Option<Vec<Rational>> {
     let setting = symbolic_setting(eps);
-    let contains =
-        |run: &[Vec<Symbol>]| run.first().map_or(Truth::Unknown, |x| set.contains(&setting, x));
+    let contains = |run: &[Vec<Symbol<Affine>>]| {
+        run.first().map_or(Truth::Unknown, |x| set.contains(&setting, x))
+    };
     let ways = ways_to_fail(placement, contains, |t| *t == Truth::False);
     ways.iter().find_map(|way| region.point_with(way))
 }

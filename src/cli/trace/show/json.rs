@@ -6,8 +6,8 @@ use cordon_spec::Phase;
 use cordon_spec::theorems::Verdict;
 use serde_json::{Value, json};
 
-use cordon_core::Result;
 use cordon_core::exact;
+use cordon_core::{Evidence, Result};
 use cordon_run::scenario::{Protocol, Scenario};
 use cordon_run::trace::{Checked, Row};
 
@@ -66,7 +66,7 @@ fn checked(c: &Checked) -> Value {
         "theorem": c.theorem.number(),
         "form": c.form.label(),
         "weight_in_range": c.weight_in_range,
-        "evidence": "this run only",
+        "evidence": Evidence::ThisRunOnly,
         "steps": c.verdicts.len(),
         "met": c.met(),
         "vacuous": steps(|v| *v == Verdict::Vacuous),

@@ -7,9 +7,9 @@ use cordon_spec::Phase;
 use cordon_spec::theorems::Verdict;
 
 use super::Numbers;
-use crate::cli::aligned::aligned;
-use cordon_core::Result;
+use crate::cli::table;
 use cordon_core::exact;
+use cordon_core::{Evidence, Result};
 use cordon_run::scenario::{Protocol, Scenario};
 use cordon_run::trace::{Checked, Row, Selection, decimal_widths};
 
@@ -53,7 +53,7 @@ pub fn table(
         widths.extend(decimal_widths(scenario, rows, digits)?);
         Some(widths)
     });
-    head.extend((0..scenario.count()).map(|i| format!("x{i}")));
+    head.extend(table::names(scenario.count()));
     head.extend(checks.iter().map(|c| c.theorem.number().to_owned()));
     let lines = rows.map(|row| {
         let mut cells = counters(row.tick, row.step);
@@ -61,7 +61,7 @@ pub fn table(
         cells.extend(checks.iter().map(|c| mark(c.verdicts.get(&row.step)).to_owned()));
         cells
     });
-    aligned(&head, widths.as_deref(), lines, out)?;
+    table::stream(&head, widths.as_deref(), lines, out)?;
     if !checks.is_empty() {
         writeln!(out)?;
     }
@@ -115,7 +115,8 @@ fn summary(c: &Checked, out: &mut dyn Write) -> Result<()> {
         None => {
             writeln!(
                 out,
-                "{number} ({form} form) holds at all {steps} steps checked (this run only)"
+                "{number} ({form} form) holds at all {steps} steps checked ({})",
+                Evidence::ThisRunOnly
             )?;
         }
     }

@@ -5,12 +5,12 @@ use cordon_spec::theorems::{Form, StartSet, Theorem, Verdict};
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 
-use super::cone::{
+use super::matrix::ErrorMatrix;
+use super::run_from;
+use crate::start_sets::{
     Coefficient, Generator, base, generators, negative_at, plus, strictly_positive, targets,
     unit_error, witness,
 };
-use super::matrix::ErrorMatrix;
-use super::run_from;
 use crate::sweep::config::Item;
 use crate::sweep::kernel::{Window, step};
 use cordon_core::stencil::Stencil;

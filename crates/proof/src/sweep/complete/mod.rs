@@ -3,10 +3,10 @@
 //! For given N, eps and k everything that the theorems 7.2 to 7.7 speak of (gaps, errors,
 //! differences of sums at steps k, k+1, ...) is a linear functional of the start, and each
 //! start set is spanned by finitely many generators with independent coefficients
-//! ([`cone`]). Stepping the generators exactly and looking at signs therefore decides:
+//! ([`start_sets`](crate::start_sets)). Stepping the generators exactly and looking at signs therefore decides:
 //!
 //! * **7.2, 7.3, 7.4 (i), 7.5 (i)**: every gap > 0, every error >= 0, the sum of the errors
-//!   >= 0, the increment of the sum >= 0, by the criteria of [`cone`], strictness included.
+//!   >= 0, the increment of the sum >= 0, by the criteria of [`start_sets`](crate::start_sets), strictness included.
 //! * **7.4 (ii)**: if the sum of the errors at k is >= 0 of every start, it is 0 exactly on the
 //!   combinations of those generators where it is 0 (a face). There every error has to be 0,
 //!   hence on each of these generators. The other direction is an identity.
@@ -36,7 +36,6 @@
 //! predicate decides whether it violates the conclusion: only then is the theorem refuted.
 //! Where neither is so the case is undecided, and the finding says why.
 
-pub mod cone;
 mod decide;
 pub mod matrix;
 

@@ -12,7 +12,7 @@ use cordon_core::{Error, Result};
 
 /// A claim about all placements of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Claim {
+pub enum Conjecture {
     /// A theorem of the paper.
     Theorem(Theorem),
     /// The mirror image of 7.3: X_i >= T_i for all i (PROTOCOL section 2).
@@ -21,7 +21,7 @@ pub enum Claim {
     Box,
 }
 
-impl Claim {
+impl Conjecture {
     /// Every claim with an inductive proof one step deep. 7.8, a limit, has none: its proofs
     /// are the contraction certificates and the mechanised ones.
     pub const ALL: [Self; 11] = [
@@ -151,7 +151,7 @@ impl Claim {
     }
 }
 
-impl fmt::Display for Claim {
+impl fmt::Display for Conjecture {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.number())
     }

@@ -1,8 +1,10 @@
 //! Start sets on the segment \[0, 1\] by their extreme points and directions.
 
 use cordon_spec::theorems::StartSet;
+use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
+use crate::start_sets::{Coefficient, Generator, generators};
 use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Sign};
@@ -25,36 +27,31 @@ pub struct Region {
 }
 
 impl Region {
-    /// The region of a start set.
+    /// The region of a start set: its generators with a segment, scaled to \[0, 1\], are the
+    /// points, those without one the directions.
     pub fn of(starts: StartSet, count: usize) -> Self {
-        let internal = count.saturating_sub(2);
-        let gaps = Rational::from_integer(count.saturating_sub(1).into());
-        let targets: Vec<Rational> =
-            (1..=internal).map(|i| Rational::from_integer(i.into()) / &gaps).collect();
-        let unit = |j: usize, sign: i32| -> Vec<Rational> {
-            let entry = |i| Rational::from_integer(if i == j { sign } else { 0 }.into());
-            (0..internal).map(entry).collect()
+        let (mut points, mut units) = (Vec::new(), Vec::new());
+        for Generator { placement, coefficient } in generators(starts, count) {
+            let length = placement.last().cloned().unwrap_or_default();
+            let scale = if length.is_zero() { BigInt::one() } else { length.clone() };
+            let internal = placement.into_iter().skip(1).take(count.saturating_sub(2));
+            let scaled = internal.map(|x| Rational::new(x, scale.clone())).collect::<Vec<_>>();
+            if length.is_zero() { units.push((scaled, coefficient)) } else { points.push(scaled) }
+        }
+        // The first is the one farthest to the right.
+        points.sort_by(|a, b| b.cmp(a));
+        let along = |(unit, coefficient): (Vec<Rational>, Coefficient)| match coefficient {
+            Coefficient::Free => vec![unit.clone(), unit.iter().map(|x| -x).collect()],
+            // As long as takes a drone from its target to the segment's left end.
+            _ => vec![
+                unit.iter()
+                    .zip(points.first().into_iter().flatten())
+                    .map(|(x, target)| x * target)
+                    .collect(),
+            ],
         };
-        // Ordered positions between 0 and `top`: the first j at 0, the others at the top.
-        let stairs = |top: &Rational| -> Vec<Vec<Rational>> {
-            let place = |i, j| if i < j { Rational::zero() } else { top.clone() };
-            (0..=internal).map(|j| (0..internal).map(|i| place(i, j)).collect()).collect()
-        };
-        let (points, directions, open) = match starts {
-            StartSet::Any => {
-                let both = (0..internal).flat_map(|j| [unit(j, -1), unit(j, 1)]).collect();
-                (vec![targets], both, false)
-            }
-            StartSet::Ordered => (stairs(&Rational::one()), Vec::new(), true),
-            StartSet::FirstSubsegment => (stairs(&gaps.recip()), Vec::new(), true),
-            StartSet::UpperBounded => {
-                // As long as takes a drone from its target to the segment's left end.
-                let back = |j: usize, t: &Rational| unit(j, -1).iter().map(|x| x * t).collect();
-                let directions = targets.iter().enumerate().map(|(j, t)| back(j, t)).collect();
-                (vec![targets], directions, false)
-            }
-        };
-        Self { count, points, directions, open }
+        let directions: Vec<_> = units.into_iter().flat_map(along).collect();
+        Self { count, open: directions.is_empty(), points, directions }
     }
 
     /// The positions of all drones as forms in the variables.

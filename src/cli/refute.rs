@@ -74,7 +74,14 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if let Some(path) = &args.protocol {
         return own_protocol::refute(path, &args.own_search()?, args.format, out);
     }
-    let queries = args.queries()?;
+    let (queries, foreign): (Vec<Query>, Vec<Query>) =
+        args.queries()?.into_iter().partition(|query| args.applies(query));
+    if let (Some(query), false) = (foreign.first(), args.theorem.as_deref() == Some("all")) {
+        return Err(Error::input(format!(
+            "theorem: `{}` reads several placements: expected 7.2, 7.3 or 7.4i where drones skip updates or see stale positions",
+            query.theorem.number()
+        )));
+    }
     if args.out.is_some() && queries.len() > 1 {
         let named = queries.len();
         return Err(Error::input(format!("out: {named} theorems are named: expected one")));
@@ -110,8 +117,17 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             OutputFormat::Json => results.push(as_json(query, &answer)),
         }
     }
+    let foreign: Vec<&str> = foreign.iter().map(|query| query.theorem.number()).collect();
+    if args.format == OutputFormat::Text && !foreign.is_empty() {
+        writeln!(
+            out,
+            "not applicable where drones skip updates or see stale positions, since they read several placements: {}",
+            foreign.join(", ")
+        )?;
+    }
     if args.format == OutputFormat::Json {
         let page = json!({
+            "not_applicable": foreign,
             "schema": "cordon-refute/1",
             "steps": args.steps,
             "activation": args.activation,
@@ -138,6 +154,12 @@ impl Args {
             )));
         }
         Ok(())
+    }
+
+    /// Whether the search knows what the theorem reads.
+    fn applies(&self, query: &Query) -> bool {
+        let plain = !self.activation && self.delay.is_none();
+        plain || activation::single_placement(query.theorem, query.form)
     }
 
     fn own_search(&self) -> Result<own_protocol::Search> {

@@ -3,5 +3,5 @@
 mod check;
 mod rows;
 
-pub use check::{Checked, check};
+pub use check::{Checked, applicable, check};
 pub use rows::{Row, Selection, Trace, Unit, select};

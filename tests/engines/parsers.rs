@@ -7,6 +7,8 @@ use std::path::{Path, PathBuf};
 use cordon_core::random::SplitMix;
 use cordon_core::{Error, exact, range};
 use cordon_cosim::cosimulation::Cosimulation;
+use cordon_cosim::fmi::interface::FmiVersion;
+use cordon_cosim::fmi::package;
 use cordon_cosim::interchange::{Assembly, into_cps};
 use cordon_cosim::store;
 use cordon_proof::export::claim::Claim;
@@ -214,9 +216,23 @@ fn result_files_of_sweeps() {
 
 #[test]
 fn multi_models() {
-    let model = into_cps::multi_model(&Assembly::of(&swarm()).unwrap());
-    let good = serde_json::to_vec_pretty(&model).unwrap();
-    smoke("multi-model", &[good], through_file("mm.json", into_cps::read));
+    let assembly = Assembly::of(&swarm()).unwrap();
+    let good = serde_json::to_vec_pretty(&into_cps::multi_model(&assembly)).unwrap();
+    // The FMUs that it names lie beside it; nothing runs them.
+    let folder = tempfile::tempdir().unwrap();
+    for model in assembly.models() {
+        let fmu = package::fmu(model, FmiVersion::V2, b"no binary").unwrap();
+        fs::write(folder.path().join(into_cps::fmu_file(model)), fmu).unwrap();
+    }
+    let path = folder.path().join("mm.json");
+    smoke("multi-model", &[good], |bytes| {
+        fs::write(&path, bytes).unwrap();
+        match into_cps::read(&path) {
+            // Another name of an FMU is the name of a file that is not there.
+            Err(Error::File { .. }) => Err(Error::input("no such FMU")),
+            read => read.map(|_| ()),
+        }
+    });
 }
 
 #[test]

@@ -26,9 +26,8 @@
 //!     weight = 0.2
 //!     "#,
 //! )?;
-//! let rows = cordon::trace(&scenario, 3)?;
-//! let after_one = &rows[1].positions;
-//! assert_eq!(after_one[3].to_string(), "42");
+//! let placements = cordon::trace(&scenario, 3)?;
+//! assert_eq!(placements[1][3].to_string(), "42");
 //! # Ok(())
 //! # }
 //! ```
@@ -44,7 +43,7 @@ pub use cordon_core::{Error, Outcome, Rational, Result};
 pub use cordon_cosim::record::Record;
 pub use cordon_proof::counterexample::Counterexample;
 pub use cordon_run::scenario::{Flight, Protocol, Scenario};
-pub use cordon_run::trace::{Checked, Row};
+pub use cordon_run::trace::Checked;
 /// The protocol and its theorems: the only definition, generic in its numbers.
 pub use cordon_spec as spec;
 pub use cordon_spec::theorems::{Form, Theorem};
@@ -80,13 +79,14 @@ pub fn scenario_and_flight(toml: &str) -> Result<(Scenario, Flight)> {
     Ok((draft.finish()?, flight))
 }
 
-/// The exact positions after the protocol steps 0 to `last`.
+/// The exact positions after the protocol steps 0 to `last`: a list for each, one position a
+/// drone.
 ///
 /// # Errors
 /// The run is too long to step through.
-pub fn trace(scenario: &Scenario, last: u64) -> Result<Vec<Row>> {
+pub fn trace(scenario: &Scenario, last: u64) -> Result<Vec<Vec<Rational>>> {
     let selection = Selection { unit: Unit::Steps, from: 0, to: last, every: 1 };
-    Ok(rows::select(scenario, selection)?.rows)
+    Ok(rows::select(scenario, selection)?.map(|row| row.positions.lowest()).collect())
 }
 
 /// The exact positions after each of the protocol steps `steps`, without the steps between: a
@@ -100,7 +100,7 @@ pub fn trace(scenario: &Scenario, last: u64) -> Result<Vec<Row>> {
 /// # fn main() -> cordon::Result<()> {
 /// let scenario = cordon::scenario("start = [0, 10, 20, 30, 100]\nweight = 0.2")?;
 /// let after = cordon::jump(&scenario, &[3, 2000])?;
-/// assert_eq!(after[0], cordon::trace(&scenario, 3)?[3].positions);
+/// assert_eq!(after[0], cordon::trace(&scenario, 3)?[3]);
 /// // At step 2000 the inner drones are within 1/10^100 of 25, 50 and 75, and not there.
 /// assert!(after[1][2] != cordon::Rational::from_integer(50.into()));
 /// # Ok(())

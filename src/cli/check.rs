@@ -25,9 +25,24 @@ pub struct Args {
 /// Lets the independent checker judge certificates; the worst verdict decides.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let mut outcome = Outcome::Holds;
-    let (mut verdicts, mut unreadable) = (Vec::new(), Vec::new());
+    let (mut verdicts, mut unreadable, mut unread) = (Vec::new(), Vec::new(), None);
     for path in &args.files {
-        let verdict = judge(path)?;
+        let verdict = match judge(path) {
+            Ok(verdict) => verdict,
+            // The other files are judged all the same.
+            Err(e) => {
+                match args.format {
+                    OutputFormat::Text => writeln!(out, "{}: not read", path.display())?,
+                    OutputFormat::Json => verdicts.push(json!({
+                        "file": path.display().to_string(),
+                        "verdict": "not read",
+                        "message": e.to_string(),
+                    })),
+                }
+                unread.get_or_insert(e);
+                continue;
+            }
+        };
         outcome = outcome.worst(match verdict {
             Verdict::Valid { .. } | Verdict::Unreadable { .. } => Outcome::Holds,
             Verdict::Incomplete { .. } => Outcome::Inconclusive,
@@ -50,6 +65,9 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         writeln!(out, "{page:#}")?;
     }
     out.flush()?;
+    if let Some(e) = unread.filter(|_| outcome == Outcome::Holds) {
+        return Err(e);
+    }
     if outcome == Outcome::Holds && !unreadable.is_empty() {
         let files = unreadable.join("`, `");
         return Err(Error::input(format!("`{files}`: expected a certificate")));

@@ -76,7 +76,14 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if let Some(path) = &args.protocol {
         return own_protocol::refute(path, &args.own_search()?, args.format, out);
     }
-    let spaces = args.spaces()?;
+    let (spaces, foreign): (Vec<SearchSpace>, Vec<SearchSpace>) =
+        args.spaces()?.into_iter().partition(|space| args.applies(space));
+    if let (Some(space), false) = (foreign.first(), args.theorem.as_deref() == Some("all")) {
+        return Err(Error::input(format!(
+            "theorem: `{}` reads several placements: expected 7.2, 7.3 or 7.4i where drones skip updates or see stale positions",
+            space.theorem.number()
+        )));
+    }
     if args.out.is_some() && spaces.len() > 1 {
         let named = spaces.len();
         return Err(Error::input(format!("out: {named} theorems are named: expected one")));
@@ -112,8 +119,17 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             OutputFormat::Json => results.push(as_json(space, &answer)),
         }
     }
+    let foreign: Vec<&str> = foreign.iter().map(|space| space.theorem.number()).collect();
+    if args.format == OutputFormat::Text && !foreign.is_empty() {
+        writeln!(
+            out,
+            "not applicable where drones skip updates or see stale positions, since they read several placements: {}",
+            foreign.join(", ")
+        )?;
+    }
     if args.format == OutputFormat::Json {
         let page = json!({
+            "not_applicable": foreign,
             "schema": "cordon-refute/1",
             "steps": args.steps,
             "activation": args.activation,
@@ -140,6 +156,12 @@ impl Args {
             )));
         }
         Ok(())
+    }
+
+    /// Whether the search knows what the theorem reads.
+    fn applies(&self, space: &SearchSpace) -> bool {
+        let plain = !self.activation && self.delay.is_none();
+        plain || activation::single_placement(space.theorem, space.form)
     }
 
     fn own_search(&self) -> Result<own_protocol::Search> {

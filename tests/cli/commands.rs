@@ -326,6 +326,45 @@ fn bad_input_is_named() {
     assert_eq!(table.len(), 40);
 }
 
+/// What does not apply is a result where all were asked for, and comes before any work where one
+/// was named.
+#[test]
+fn not_applicable_is_a_result() {
+    let (code, out, err) =
+        run(&["trace", "scenarios/paper.toml", "--check", "all", "--form", "paper"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(out.contains("7.2 (paper form) holds"), "{out}");
+    assert!(out.contains("7.3 (paper form) is not applicable: it is about starts with "), "{out}");
+    let refute = ["--activation", "--drones", "3", "--steps", "2"];
+    let (code, out, err) = run(&[&["refute", "all"], &refute[..]].concat());
+    assert_eq!((code, err.as_str()), (3, ""));
+    assert!(out.contains("7.4i "), "{out}");
+    assert!(
+        out.contains("not applicable where drones skip updates") && out.contains(": 7.4ii, "),
+        "{out}"
+    );
+    let (code, out, err) = run(&[&["refute", "7.2,7.5i"], &refute[..]].concat());
+    assert_eq!((code, out.as_str()), (2, ""));
+    assert!(err.contains("theorem: `7.5i` reads several placements"), "{err}");
+}
+
+#[test]
+fn a_missing_file_keeps_no_other_from_being_checked() {
+    let valid = "proofs/certificates/7.2-sharp.json";
+    let (code, out, err) = run(&["check", "missing.json", valid]);
+    assert_eq!(code, 74);
+    assert!(
+        out.contains("missing.json: not read\n") && out.contains(&format!("{valid}: valid")),
+        "{out}"
+    );
+    assert!(err.contains("cannot read `missing.json`"), "{err}");
+    let (code, out, _) = run(&["check", "missing.json", valid, "--format", "json"]);
+    assert_eq!(code, 74);
+    let page: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(page["verdicts"][0]["verdict"], "not read");
+    assert_eq!(page["verdicts"][1]["verdict"], "valid");
+}
+
 /// Scenario files: the message has file, line and column.
 #[test]
 fn bad_scenario_files_are_named_with_their_place() {

@@ -18,5 +18,6 @@ mod fmu;
 mod foreign;
 mod golden;
 mod replay;
+mod schemas;
 mod sweep;
 mod trust_lines;

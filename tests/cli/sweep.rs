@@ -372,7 +372,7 @@ fn lines_that_cannot_be_so_are_refused_by_their_number() {
             "\"verdict\":\"holds\"",
             "verdict `holds`: expected `refuted`",
         ),
-        (refuted, 2, "\"start\":[\"0\",\"", "\"start\":[\"0\",\"1/", "counterexample: "),
+        (refuted, 2, "\"start\":[\"0\",\"", "\"start\":[\"0\",\"1/3", "counterexample: "),
         (refuted, 2, "\"violation\":\"", "\"violation\":\"not ", "counterexample: expected `"),
         (
             complete,

@@ -13,6 +13,7 @@ mod fast;
 mod identities;
 mod impulse_response;
 mod own_protocol;
+mod parsers;
 mod prove;
 mod refute;
 mod settle;

@@ -5,7 +5,7 @@ mod show;
 
 use std::io::Write;
 
-use cordon_spec::theorems::Form;
+use cordon_spec::theorems::{Form, Theorem};
 
 use crate::cli::scenario_args::ScenarioArgs;
 use crate::cli::select::FormArg;
@@ -13,7 +13,7 @@ use at::{AtArgs, Shape};
 use cordon_core::theorems;
 use cordon_core::{Error, Outcome, Result};
 use cordon_run::scenario::Scenario;
-use cordon_run::trace::{Checked, Row, Selection, Unit, check, select};
+use cordon_run::trace::{Checked, Row, Selection, Unit, applicable, check, select};
 use show::Numbers;
 
 /// Arguments of `cordon trace`.
@@ -104,10 +104,20 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         return Err(Error::input("plot: expected a selection of at least two rows"));
     }
     let form: Form = args.form.into();
+    let mut foreign = Vec::new();
     let checks = match &args.check {
         Some(list) => {
             let (_, last_step) = unit.tick_and_step(&scenario, selection.last());
-            check(&scenario, &theorems::named(list)?, form, last_step)?
+            let named = theorems::named(list)?;
+            let named = match list.trim() {
+                "all" => {
+                    let (about, other) = applicable(&scenario, &named, form)?;
+                    foreign = other;
+                    about
+                }
+                _ => named,
+            };
+            check(&scenario, &named, form, last_step)?
         }
         None => Vec::new(),
     };
@@ -118,10 +128,30 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         }
     };
     print(args, &scenario, &mut rows.inspect(keep), Some(selection), &checks, out)?;
+    not_applicable(args, &foreign, out)?;
     if args.plot {
         show::plot(unit, &plotted, out)?;
     }
     Ok(checks.iter().fold(Outcome::Holds, |worst, c| worst.worst(c.outcome())))
+}
+
+/// Says which theorems are about other starts: below the table, or on stderr.
+fn not_applicable(
+    args: &Args,
+    theorems: &[(Theorem, &'static str)],
+    out: &mut dyn Write,
+) -> Result<()> {
+    let form = Form::from(args.form).label();
+    let mut stderr = std::io::stderr();
+    let out = if args.format == Format::Table { out } else { &mut stderr };
+    for (theorem, starts) in theorems {
+        let number = theorem.number();
+        writeln!(
+            out,
+            "{number} ({form} form) is not applicable: it is about starts with {starts}"
+        )?;
+    }
+    Ok(())
 }
 
 /// Writes the trace in the wanted form.

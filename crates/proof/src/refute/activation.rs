@@ -61,7 +61,7 @@ pub fn search(space: &SearchSpace) -> Result<SearchResult> {
 }
 
 /// Whether the conclusion is about one placement and made of comparisons.
-pub(super) fn single_placement(theorem: Theorem, form: Form) -> bool {
+pub fn single_placement(theorem: Theorem, form: Form) -> bool {
     is_conjunction(theorem) && theorem.span(form, 3) == 0
 }
 

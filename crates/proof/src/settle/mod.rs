@@ -291,6 +291,10 @@ impl Runs {
         settling_step(start, &self.eps, within, vector, budget, Enclosure::<BITS>::of)
             .or_else(|| {
                 // Distances that the usual enclosures cannot resolve.
+                let small = within.denom().bits().saturating_sub(within.numer().bits());
+                if small + 64 < u64::from(BITS) {
+                    return None;
+                }
                 let steps = budget / u64::from(FINE_BITS / BITS);
                 settling_step(start, &self.eps, within, vector, steps, Enclosure::<FINE_BITS>::of)
             })

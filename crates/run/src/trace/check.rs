@@ -142,6 +142,25 @@ impl Window {
     }
 }
 
+/// Of the theorems, those that are about the scenario's start; and what the others are about.
+///
+/// # Errors
+/// The protocol is not coverage.
+pub fn applicable(
+    scenario: &Scenario,
+    theorems: &[Theorem],
+    form: Form,
+) -> Result<(Vec<Theorem>, Vec<(Theorem, &'static str)>)> {
+    let Some(setting) = scenario.setting() else {
+        return Ok((theorems.to_vec(), Vec::new()));
+    };
+    let starts = |t: &Theorem| t.hypothesis(form).starts;
+    let (about, other): (Vec<Theorem>, Vec<Theorem>) =
+        theorems.iter().partition(|t| starts(t).contains(&setting, &scenario.start).is_true());
+    let other = other.into_iter().map(|t| (t, theorems::starts(starts(&t)))).collect();
+    Ok((about, other))
+}
+
 fn require_start(
     theorem: Theorem,
     form: Form,

@@ -5,7 +5,7 @@ mod extremes;
 mod positions;
 mod rows;
 
-pub use check::{Checked, check};
+pub use check::{Checked, applicable, check};
 pub use extremes::decimal_widths;
 pub use positions::Positions;
 pub use rows::{Row, Rows, Selection, Unit, select};

@@ -1,0 +1,162 @@
+//! Every JSON that a command writes meets its schema in `schemas/`.
+use std::fs;
+use std::path::PathBuf;
+
+use boon::{Compiler, Draft, SchemaIndex, Schemas};
+use serde_json::{Value, json};
+
+use crate::common::run;
+
+struct Schema {
+    schemas: Schemas,
+    index: SchemaIndex,
+}
+
+impl Schema {
+    /// The schema of a format like `cordon-trace/1`.
+    fn of(format: &str) -> Self {
+        let path = path_of(format);
+        let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        let mut schemas = Schemas::new();
+        let mut compiler = Compiler::new();
+        compiler.set_default_draft(Draft::V2020_12);
+        let name = "schema.json";
+        compiler.add_resource(name, serde_json::from_str(&text).unwrap()).unwrap();
+        let index = compiler.compile(name, &mut schemas).unwrap();
+        Self { schemas, index }
+    }
+
+    fn accepts(&self, page: &Value) -> Result<(), String> {
+        self.schemas.validate(page, self.index).map_err(|e| e.to_string())
+    }
+}
+
+fn path_of(format: &str) -> PathBuf {
+    PathBuf::from("schemas").join(format!("{}.json", format.replace('/', "-")))
+}
+
+fn parsed(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|e| panic!("{e}: {text}"))
+}
+
+/// Holds a page against its schema; then takes each of its fields away and adds one: both have
+/// to be noticed.
+fn meets(format: &str, page: &Value, what: &str) {
+    let schema = Schema::of(format);
+    schema.accepts(page).unwrap_or_else(|e| panic!("{what}: {e}"));
+    let mut more = page.clone();
+    more["surplus"] = json!(0);
+    assert!(schema.accepts(&more).is_err(), "{what}: a field that the schema does not know");
+    let mut other = page.clone();
+    if other.get("schema").is_some() {
+        other["schema"] = json!("cordon-other/1");
+        assert!(schema.accepts(&other).is_err(), "{what}: another format");
+    }
+}
+
+#[test]
+fn what_commands_print_meets_its_schema() {
+    let own = first_own_protocol();
+    let calls = [
+        "trace scenarios/paper.toml --steps 2",
+        "trace scenarios/paper-unstable.toml --steps 9 --check 7.2,7.3",
+        "trace scenarios/consensus.toml --steps 2",
+        "trace scenarios/paper.toml --at 3,1000 --engine digits",
+        "errata",
+        "local scenarios/paper.toml --ticks 20",
+        "local scenarios/paper.toml --ratio 7/2 --ticks 20",
+        &format!("prove --protocol {own}"),
+        &format!("refute --protocol {own}"),
+        "prove 7.2",
+        "prove 7.2 --drones 4 --eps 0..1",
+        "refute 7.2 --drones 4 --eps 3/5",
+        "refute 7.2 --drones 3",
+        "refute all --activation --drones 3 --steps 2",
+        "refute 7.2 --delay 1 --drones 4 --eps 3/5",
+        "settle --drones 5 --eps 1/4 --within 0.01",
+        "settle --drones 5 --eps 0.6 --within 0.01",
+        "settle --drones 3 --eps 1 --within 10",
+        "settle --drones 3 --eps 1 --within 0.1 --start 0,1,4",
+        "swarm --drones 1000 --steps 5",
+        "sweep 7.2,7.6ii --drones 3 --grid 4 --steps 3",
+        "sweep 7.8 --form paper --drones 4 --eps 2/3 --complete --steps 3",
+        "sweep 7.2 --drones 3 --sample 5 --seed 1 --eps 1/3 --steps 3",
+        "theorems",
+        "threshold --property ordering --drones 5",
+        "threshold --property convergence --drones 5",
+        "check proofs/certificates/7.2-sharp.json Cargo.toml no-such-file",
+        "cosim scenarios/paper.toml --duration 1",
+        "cosim scenarios/paper-unstable.toml --duration 15",
+    ];
+    let mut formats = Vec::new();
+    for call in calls {
+        let args: Vec<&str> = call.split(' ').chain(["--format", "json"]).collect();
+        let page = parsed(&run(&args).1);
+        let format = page["schema"].as_str().unwrap_or_else(|| panic!("{call}")).to_owned();
+        meets(&format, &page, call);
+        formats.push(format);
+    }
+    formats.sort();
+    formats.dedup();
+    assert_eq!(formats.len(), 14, "{formats:?}");
+}
+
+fn first_own_protocol() -> String {
+    let mut files: Vec<_> =
+        fs::read_dir("scenarios/own").unwrap().map(|e| e.unwrap().path()).collect();
+    files.retain(|p| p.extension().is_some_and(|e| e == "toml"));
+    files.sort();
+    files[0].display().to_string()
+}
+
+#[test]
+fn what_commands_write_meets_its_schema() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let csv = at("run.csv");
+    assert_eq!(run(&["cosim", "scenarios/paper.toml", "--duration", "1", "--out", &csv]).0, 0);
+    let companion = parsed(&fs::read_to_string(at("run.csv.json")).unwrap());
+    meets("cordon-cosim-companion/1", &companion, "companion");
+    let mut lines = 0;
+    for args in [
+        "7.2,7.6ii --drones 3 --grid 4 --steps 3",
+        "7.2 --drones 3 --complete --steps 3",
+        "7.8 --form paper --drones 4 --eps 2/3 --complete --steps 3",
+        "7.2 --drones 3 --sample 5 --seed 1 --eps 1/3 --steps 3",
+    ] {
+        let file = at("sweep.jsonl");
+        let _ = fs::remove_file(&file);
+        let args: Vec<&str> =
+            ["sweep"].into_iter().chain(args.split(' ')).chain(["--out", &file]).collect();
+        run(&args);
+        for (i, line) in fs::read_to_string(&file).unwrap().lines().enumerate() {
+            let format = if i == 0 { "cordon-sweep/1" } else { "cordon-sweep-finding/1" };
+            meets(format, &parsed(line), line);
+            lines += 1;
+        }
+    }
+    assert!(lines > 20, "{lines}");
+}
+
+#[test]
+fn records_of_the_repository_meet_their_schemas() {
+    for (file, format) in
+        [("kani/run.json", "cordon-kani/1"), ("proofs/records.json", "cordon-records/1")]
+    {
+        meets(format, &parsed(&fs::read_to_string(file).unwrap()), file);
+    }
+}
+
+/// A schema that no test reads would not be kept true.
+#[test]
+fn every_schema_is_read_by_a_test_here() {
+    let files = fs::read_dir("schemas").unwrap();
+    let names: Vec<_> = files.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+    // 14 that are printed, 3 that are written, 2 records; and the page about them.
+    assert_eq!(names.len(), 14 + 3 + 2 + 1, "{names:?}");
+    for name in names.iter().filter(|n| n.ends_with(".json")) {
+        let schema = parsed(&fs::read_to_string(format!("schemas/{name}")).unwrap());
+        assert_eq!(path_of(schema["title"].as_str().unwrap()), PathBuf::from("schemas").join(name));
+        assert!(schema["description"].as_str().unwrap().contains("Written by `"), "{name}");
+    }
+}

@@ -11,9 +11,9 @@ use cordon_cosim::fmi::interface::FmiVersion;
 use cordon_cosim::fmi::package;
 use cordon_cosim::interchange::{Assembly, into_cps};
 use cordon_cosim::store;
-use cordon_proof::export::claim::Claim;
+use cordon_proof::export::conjecture::Conjecture;
 use cordon_proof::export::smt_model::read_answer;
-use cordon_proof::export::smt2::{Obligation, Query, Weights};
+use cordon_proof::export::smt2::{Obligation, Query, WeightDomain};
 use cordon_proof::own_protocol;
 use cordon_proof::sweep::store as results;
 use cordon_run::scenario;
@@ -238,11 +238,11 @@ fn multi_models() {
 #[test]
 fn answers_of_solvers() {
     let query = Query {
-        claim: Claim::Theorem(Theorem::Ordering),
+        claim: Conjecture::Theorem(Theorem::Ordering),
         form: Form::Sharp,
         drones: 4,
         obligation: Obligation::Violated { steps: 1 },
-        weights: Weights::Beyond,
+        weights: WeightDomain::Beyond,
     };
     let values: Vec<String> =
         query.symbols().iter().map(|s| format!("({s} (/ 1.0 (- 3.0)))")).collect();

@@ -45,7 +45,6 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         };
         outcome = outcome.worst(match verdict {
             Verdict::Valid { .. } | Verdict::Unreadable { .. } => Outcome::Holds,
-            Verdict::Incomplete { .. } => Outcome::Inconclusive,
             Verdict::Invalid { .. } => Outcome::Rejected,
         });
         if matches!(verdict, Verdict::Unreadable { .. }) {

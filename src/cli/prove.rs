@@ -4,15 +4,14 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use cordon_check::Verdict;
-use cordon_spec::theorems::{Form, Theorem};
+use cordon_spec::theorems::Form;
 use serde_json::{Value, json};
 
 use super::own_protocol;
 use super::select::OutputFormat;
-use cordon_core::{Error, Outcome, Rational, Result, files, range};
+use cordon_core::{Error, Outcome, Result, files, range};
 use cordon_proof::certificate;
-use cordon_proof::prove::claims::Claim;
-use cordon_proof::prove::{Effort, Found, Scope, exactness, prove};
+use cordon_proof::prove::{CLAIMS, Claim, Scope};
 use cordon_proof::refute;
 
 /// Arguments of `cordon prove`.
@@ -34,9 +33,6 @@ pub struct Args {
     /// Number of drones: one N >= 3, or every N
     #[arg(long, value_name = "N|any", default_value = "any")]
     pub drones: String,
-    /// Most factors of a product of hypotheses that the search combines (7.8 needs 4)
-    #[arg(long, value_name = "D", default_value_t = 4, value_parser = clap::value_parser!(u8).range(1..=8))]
-    pub degree: u8,
     /// Folder to write the certificates to
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -56,16 +52,6 @@ pub enum FormChoice {
     Both,
 }
 
-/// One search.
-enum Task {
-    Claim(Claim, Form),
-    Exactness(Theorem),
-}
-
-/// The theorems whose bound 1/2 is proved exact, by the name of that claim.
-const EXACT: [(&str, Theorem); 2] =
-    [("7.2-exact", Theorem::Ordering), ("7.3-exact", Theorem::UpperBound)];
-
 /// Searches certificates, has each one checked, and writes them.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if let Some(path) = &args.protocol {
@@ -74,14 +60,14 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     }
     let drones = drones(&args.drones)?;
     let weights = args.eps.as_deref().map(|t| range::closed("eps", t)).transpose()?;
-    let tasks = tasks(args, drones.is_some() || weights.is_some())?;
+    let narrowed = Scope { form: Form::Sharp, weights: weights.clone(), drones };
+    let claims = claims(args, &narrowed)?;
     if let Some(folder) = &args.out {
         std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
     }
     let (mut outcome, mut rows) = (Outcome::Holds, Vec::new());
-    for task in tasks {
-        let effort = Effort { level: usize::from(args.degree), ..Effort::default() };
-        let ended = attempt(&task, drones, weights.as_ref(), effort);
+    for (claim, form) in claims {
+        let ended = attempt(claim, Scope { form, weights: weights.clone(), drones });
         outcome = outcome.worst(ended.outcome);
         let mut file = None;
         if let (Some(folder), Some(certificate)) = (&args.out, &ended.certificate) {
@@ -129,56 +115,31 @@ impl Ended {
     }
 }
 
-fn attempt(
-    task: &Task,
-    drones: Option<u32>,
-    weights: Option<&(Rational, Rational)>,
-    effort: Effort,
-) -> Ended {
-    match task {
-        Task::Exactness(theorem) => {
-            let name = format!("{}-exact", theorem.number());
-            match exactness::prove(*theorem, effort) {
-                Some(certificate) => judged(name, Outcome::Holds, "proved", certificate),
-                None => inconclusive(name, "no proof found"),
-            }
+fn attempt(claim: &Claim, scope: Scope) -> Ended {
+    let base = claim.label(scope.form);
+    let name = match (scope.drones, &scope.weights) {
+        (None, None) => base,
+        (n, w) => {
+            let n = n.map(|n| format!("-n{n}")).unwrap_or_default();
+            let w = w.as_ref().map(|(a, b)| format!("-eps-{a}..{b}").replace('/', "_"));
+            format!("{base}{n}{}", w.unwrap_or_default())
         }
-        Task::Claim(claim, form) => {
-            let scope = Scope { form: *form, weights: weights.cloned(), drones };
-            let base = if claim.has_forms() {
-                format!("{}-{}", claim.name, form.label())
-            } else {
-                claim.name.to_owned()
-            };
-            let name = match (drones, weights) {
-                (None, None) => base,
-                (n, w) => {
-                    let n = n.map(|n| format!("-n{n}")).unwrap_or_default();
-                    let w = w.map(|(a, b)| format!("-eps-{a}..{b}").replace('/', "_"));
-                    format!("{base}{n}{}", w.unwrap_or_default())
-                }
-            };
-            // A counterexample is cheap to look for, and ends a search that cannot succeed.
-            let theorem = claim.theorem.filter(|_| claim.has_forms());
-            let count = drones.map(|n| n as usize);
-            if let Some(found) = theorem.and_then(|t| refute::evident(t, *form, count, weights)) {
-                return judged(name, Outcome::Refuted, "refuted", certificate::refutation(&found));
-            }
-            match prove(claim, &scope, effort) {
-                Found::Certificate(certificate) => {
-                    judged(name, Outcome::Holds, "proved", certificate)
-                }
-                Found::Nothing(missing) => {
-                    inconclusive(name, &format!("no proof found of {}", missing.join(", ")))
-                }
-            }
-        }
+    };
+    // A counterexample is cheap to look for.
+    let (count, weights) = (scope.drones.map(|n| n as usize), scope.weights.as_ref());
+    let evident = |t| refute::evident(t, scope.form, count, weights);
+    if let Some(found) = claim.theorem.and_then(evident) {
+        return judged(name, Outcome::Refuted, "refuted", certificate::refutation(&found));
     }
-}
-
-fn inconclusive(name: String, why: &str) -> Ended {
-    let message = format!("inconclusive: {why}");
-    Ended { name, outcome: Outcome::Inconclusive, message, certificate: None }
+    match claim.prove(&scope) {
+        Some(certificate) => judged(name, Outcome::Holds, "proved", certificate),
+        None => Ended {
+            name,
+            outcome: Outcome::Inconclusive,
+            message: "inconclusive: no strategy for this claim and hypothesis".into(),
+            certificate: None,
+        },
+    }
 }
 
 /// What the independent checker says of a certificate decides.
@@ -199,46 +160,35 @@ fn judged(name: String, outcome: Outcome, word: &str, certificate: Value) -> End
     }
 }
 
-fn tasks(args: &Args, narrowed: bool) -> Result<Vec<Task>> {
+/// The claims asked for, each with its forms. Of `all`, those that a narrowed scope leaves out are not.
+fn claims(args: &Args, narrowed: &Scope) -> Result<Vec<(&'static Claim, Form)>> {
     let forms: &[Form] = match args.form {
         FormChoice::Paper => &[Form::Paper],
         FormChoice::Sharp => &[Form::Sharp],
         FormChoice::Both => &Form::ALL,
     };
-    let all = Claim::all();
     let names: Vec<&str> = args.claims.split(',').map(str::trim).collect();
-    let mut tasks = Vec::new();
-    let mut known = Vec::new();
-    for claim in &all {
-        let wanted = |n: &&str| {
-            *n == "all"
-                || *n == claim.name
-                || (claim.has_forms() && claim.name.trim_end_matches('i') == *n)
-        };
-        if names.iter().any(wanted) {
-            known.extend(names.iter().filter(|n| wanted(n)));
-            let forms = if claim.has_forms() { forms } else { &[Form::Sharp] };
-            tasks.extend(forms.iter().map(|&f| Task::Claim(*claim, f)));
-        }
+    let named = |c: &Claim, n: &str| {
+        n == c.name
+            || (c.theorem.is_some() && c.name.trim_end_matches("-if").trim_end_matches('i') == n)
+    };
+    let known = |n: &&&str| **n == "all" || CLAIMS.iter().any(|c| named(c, n));
+    if let Some(name) = names.iter().find(|n| !known(n)) {
+        let claims = CLAIMS.map(|c| c.name).join(", ");
+        return Err(Error::input(format!(
+            "claim: `{name}` is unknown: expected `all` or some of {claims}"
+        )));
     }
-    for (name, theorem) in EXACT {
-        let all = names.contains(&"all") && !narrowed;
-        if all || names.contains(&name) {
-            known.push(name);
-            tasks.push(Task::Exactness(theorem));
-        }
-    }
-    match names.iter().find(|n| !known.contains(n)) {
-        None => Ok(tasks),
-        Some(name) => {
-            let claims: Vec<&str> =
-                all.iter().map(|c| c.name).chain(EXACT.map(|(n, _)| n)).collect();
-            Err(Error::input(format!(
-                "claim: `{name}` is unknown: expected `all` or some of {}",
-                claims.join(", ")
-            )))
-        }
-    }
+    let wanted = |c: &&Claim| {
+        let fits = c.theorem.is_some() || c.statement(narrowed).is_some();
+        names.iter().any(|n| named(c, n) || (*n == "all" && fits))
+    };
+    let forms_of = |c: &Claim| if c.theorem.is_some() { forms } else { &[Form::Sharp] };
+    Ok(CLAIMS
+        .iter()
+        .filter(wanted)
+        .flat_map(|c| forms_of(c).iter().map(move |&f| (c, f)))
+        .collect())
 }
 
 fn drones(text: &str) -> Result<Option<u32>> {

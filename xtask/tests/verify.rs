@@ -226,7 +226,7 @@ fn certificates_are_judged_again() {
     );
     let contraction = |rate: &str| {
         format!(
-            "{{\"schema\": \"cordon-certificate/1\", \"certificate\": {{\"contraction\": \
+            "{{\"schema\": \"cordon-certificate/2\", \"certificate\": {{\"contraction\": \
              {{\"drones\": 5, \"eps\": \"4/7\", \"rate\": \"{rate}\", \"vector\": [\"7\", \"10\", \"7\"]}}}}}}"
         )
     };
@@ -251,7 +251,7 @@ fn certificates_are_judged_again() {
     std::fs::remove_file(repo.root().join("proofs/certificates/none.json")).unwrap();
     repo.write(
         "proofs/certificates/empty.json",
-        "{\"schema\": \"cordon-certificate/1\", \"certificate\": {\"theorem\": \
+        "{\"schema\": \"cordon-certificate/2\", \"certificate\": {\"theorem\": \
          {\"claim\": \"7.2\", \"form\": \"sharp\", \"proofs\": []}}}",
     );
     let page = repo.json(&["7.2,7.3", "--tiers", "certificate"], 0);

@@ -1,4 +1,4 @@
-//! Certificates as JSON, in the format `cordon-certificate/1` (`proofs/checker/FORMAT.md`).
+//! Certificates as JSON, in the format `cordon-certificate/2` (`proofs/checker/FORMAT.md`).
 //!
 //! Only writing is done here; what a certificate is worth, the independent checker says.
 
@@ -14,9 +14,10 @@ use cordon_core::exact::fraction;
 use cordon_core::{Error, Rational, Result, files};
 
 /// The format's name.
-pub const SCHEMA: &str = "cordon-certificate/1";
+pub const SCHEMA: &str = "cordon-certificate/2";
 
-fn sealed(kind: &str, body: Value) -> Value {
+/// A certificate of that kind.
+pub fn sealed(kind: &str, body: Value) -> Value {
     json!({ "schema": SCHEMA, "certificate": { kind: body } })
 }
 
@@ -51,14 +52,18 @@ pub enum Departure {
     Delay(Vec<Vec<(usize, usize, usize)>>),
 }
 
+/// What a violated conclusion is about, and where.
+pub fn subject(step: usize, subject: Subject) -> Value {
+    match subject {
+        Subject::Pair(i) => json!({ "step": step, "subject": "pair", "at": i }),
+        Subject::Drone(i) => json!({ "step": step, "subject": "drone", "at": i }),
+        Subject::Sum => json!({ "step": step, "subject": "sum" }),
+        Subject::Energy => json!({ "step": step, "subject": "energy" }),
+    }
+}
+
 /// A run that violates a theorem, or an extension of it to other weights or other steps.
 pub fn refutation(found: &Counterexample) -> Value {
-    let subject = match found.violation.subject {
-        Subject::Pair(i) => json!({ "pair": i }),
-        Subject::Drone(i) => json!({ "drone": i }),
-        Subject::Sum => json!("sum"),
-        Subject::Energy => json!("energy"),
-    };
     let start = found.start();
     let mut body = json!({
         "theorem": found.theorem.number(),
@@ -68,7 +73,7 @@ pub fn refutation(found: &Counterexample) -> Value {
         "eps": fraction(&found.eps),
         "start": numbers(start),
         "step": found.step,
-        "violation": { "step": found.violation.step, "subject": subject },
+        "violation": subject(found.violation.step, found.violation.subject),
     });
     if let Some(fields) = body.as_object_mut() {
         if !found.weight_is_in_range() {
@@ -80,6 +85,9 @@ pub fn refutation(found: &Counterexample) -> Value {
                 fields.insert("activation".to_owned(), json!(steps));
             }
             Departure::Delay(steps) => {
+                let late = |&(drone, sees, age): &(usize, usize, usize)| json!({ "drone": drone, "sees": sees, "age": age });
+                let steps: Vec<Vec<Value>> =
+                    steps.iter().map(|s| s.iter().map(late).collect()).collect();
                 fields.insert("delay".to_owned(), json!(steps));
             }
         }

@@ -1,52 +1,42 @@
 //! The independent checker of Cordon's certificates.
 //!
-//! A certificate says which claim it proves; the checker derives what has to be proved, by
-//! executing `cordon-spec` on polynomials, and then checks each proof. It shares no code with
-//! the search that found them. FORMAT.md describes the files, TRUST.md what an accepted one rests on.
+//! A theorem is a statement with a proof by the rules of a small [`kernel`]; what the protocol does, the
+//! checker finds out by executing `cordon-spec` on polynomials. It shares no code with the search.
+//! FORMAT.md describes the files, TRUST.md what an accepted one rests on.
 
 #![forbid(unsafe_code)]
 
-pub mod claims;
 pub mod concrete;
-pub mod exactness;
+pub mod expr;
 pub mod format;
-pub mod model;
+pub mod kernel;
+pub mod number;
 pub mod poly;
-pub mod projection;
-pub mod rules;
+pub mod system;
 
-use std::collections::BTreeSet;
 use std::fmt;
 
-use claims::{Claim, Refusal, Scope};
-use cordon_spec::theorems::Form;
-use format::{Certificate, Discharge, ExactnessCert, TheoremCert};
-use model::Weights;
-use rules::{Fault, Obligation};
+use format::{Kind, Theorem};
+use kernel::{Fault, Kernel, fault};
 
 /// What the checker says of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// The claim is proved.
     Valid {
-        /// The claim in words, with its range.
+        /// What is proved, in words that the checker makes from it.
         claim: String,
-        /// How many obligations were derived and discharged; 1 for the kinds about one N.
+        /// How many clauses were proved; 1 for the kinds about one N.
         obligations: usize,
     },
     /// A proof is wrong, or the certificate contradicts itself.
     Invalid {
-        /// The obligation, or the kind.
+        /// The clause, or the kind.
         step: String,
         /// The rule that failed.
         rule: &'static str,
         /// Why.
         reason: String,
-    },
-    /// Something is not proved.
-    Incomplete {
-        /// What lacks: obligations without proof, data.
-        missing: Vec<String>,
     },
     /// No certificate in the format.
     Unreadable {
@@ -56,12 +46,11 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// The exit code of the program: 0 valid, 4 invalid, 3 incomplete, 2 unreadable.
+    /// The exit code of the program: 0 valid, 2 unreadable, 4 invalid.
     pub fn code(&self) -> u8 {
         match self {
             Self::Valid { .. } => 0,
             Self::Unreadable { .. } => 2,
-            Self::Incomplete { .. } => 3,
             Self::Invalid { .. } => 4,
         }
     }
@@ -71,28 +60,19 @@ impl Verdict {
         match self {
             Self::Valid { .. } => "valid",
             Self::Invalid { .. } => "invalid",
-            Self::Incomplete { .. } => "incomplete",
             Self::Unreadable { .. } => "unreadable",
         }
-    }
-
-    fn invalid(step: &str, rule: &'static str, reason: impl Into<String>) -> Self {
-        Self::Invalid { step: step.to_owned(), rule, reason: reason.into() }
     }
 }
 
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Valid { claim, obligations: 1 } => write!(f, "valid: {claim}"),
             Self::Valid { claim, obligations } => {
-                write!(f, "valid: {claim} ({obligations} obligations)")
+                write!(f, "valid: {claim} ({obligations} proved)")
             }
             Self::Invalid { step, rule, reason } => {
                 write!(f, "invalid: {step}: rule {rule}: {reason}")
-            }
-            Self::Incomplete { missing } => {
-                write!(f, "incomplete: not proved: {}", missing.join(", "))
             }
             Self::Unreadable { reason } => write!(f, "unreadable: {reason}"),
         }
@@ -101,109 +81,81 @@ impl fmt::Display for Verdict {
 
 /// Checks the text of a certificate.
 pub fn check(text: &str) -> Verdict {
-    let concrete = |step: &str, result: Result<String, Fault>| match result {
-        Ok(claim) => Verdict::Valid { claim, obligations: 1 },
-        Err(Fault { rule, reason }) => Verdict::invalid(step, rule, reason),
+    number::refill();
+    let kind = match format::read(text) {
+        Ok(kind) => kind,
+        Err(reason) => return Verdict::Unreadable { reason },
     };
-    match format::read(text) {
-        Err(reason) => Verdict::Unreadable { reason },
-        Ok(Certificate::Theorem(_) | Certificate::Exactness(_)) if text.len() > MAX_SYMBOLIC => {
-            Verdict::Unreadable { reason: format!("{} bytes: at most {MAX_SYMBOLIC}", text.len()) }
-        }
-        Ok(Certificate::Theorem(c)) => theorem(&c),
-        Ok(Certificate::Exactness(c)) => exactness(&c),
-        Ok(Certificate::Contraction(c)) => concrete("contraction", concrete::contraction(&c)),
-        Ok(Certificate::Growth(c)) => concrete("growth", concrete::growth(&c)),
-        Ok(Certificate::Refutation(c)) => concrete("refutation", concrete::refutation(&c)),
-        Ok(Certificate::Invariance(c)) => concrete("invariance", concrete::invariance(&c)),
+    let (step, result) = match &kind {
+        Kind::Theorem(t) => theorem(t),
+        Kind::Contraction(c) => ("contraction", concrete::contraction(c).map(|c| (c, 1))),
+        Kind::Growth(c) => ("growth", concrete::growth(c).map(|c| (c, 1))),
+        Kind::Refutation(c) => ("refutation", concrete::refutation(c).map(|c| (c, 1))),
+        Kind::Invariance(c) => ("invariance", concrete::invariance(c).map(|c| (c, 1))),
+    };
+    // Without work left numbers are not what they should be: neither is what was said of them.
+    let result =
+        if number::exhausted() { fault("work", "more than a file is allowed") } else { result };
+    match result {
+        Ok((claim, obligations)) => Verdict::Valid { claim, obligations },
+        Err(Fault { rule, reason }) => Verdict::Invalid { step: step.into(), rule, reason },
     }
 }
 
-/// Largest certificate with proofs by symbols, in bytes: with the limits on each proof it
-/// bounds the time to some seconds. The theorems need 20,000.
-const MAX_SYMBOLIC: usize = 256 << 10;
-
-/// Kind `theorem`.
-fn theorem(cert: &TheoremCert) -> Verdict {
-    const KIND: &str = "theorem";
-    let invalid = |reason: String| Verdict::invalid(&cert.claim, KIND, reason);
-    let Some(claim) = Claim::named(&cert.claim) else {
-        return invalid("no such claim".into());
-    };
-    let form = match (&cert.form, claim.has_forms()) {
-        (None, false) => Form::Sharp,
-        (Some(name), true) => match concrete::form_named(name) {
-            Some(form) => form,
-            None => return invalid(format!("no form `{name}`")),
-        },
-        (None, true) => return invalid("expected a form: `paper` or `sharp`".into()),
-        (Some(_), false) => return invalid("this claim has no forms".into()),
-    };
-    let names: Vec<&str> = cert.data.iter().map(|d| d.name.as_str()).collect();
-    if let Some(name) = names.iter().find(|n| !claim.data.contains(n)) {
-        return invalid(format!("datum `{name}` belongs to no obligation"));
-    }
-    if names.iter().collect::<BTreeSet<_>>().len() < names.len() {
-        return invalid("a datum is given twice".into());
-    }
-    if let Some(n) = cert.drones.filter(|&n| n < 3) {
-        return invalid(format!("{n} drones: expected 3 or more"));
-    }
-    let weights = match &cert.weights {
-        None => Weights::Range(claim.weights(form)),
-        Some(i) if i.from.0 <= i.to.0 => Weights::Interval(i.from.0.clone(), i.to.0.clone()),
-        Some(_) => return invalid("the interval of weights is empty".into()),
-    };
-    let range = match &weights {
-        Weights::Range(range) => claims::range(*range).to_owned(),
-        Weights::Interval(from, to) => format!("{from} <= eps <= {to}"),
-    };
-    let drones = cert.drones.map_or("every N >= 3".to_owned(), |n| format!("N = {n}"));
-    let form_name = if claim.has_forms() { format!(" ({})", form.label()) } else { String::new() };
-    let text = format!("{}{form_name} for {drones}, {range}: {}", claim.name, claim.text);
-    let scope = Scope { form, weights, drones: cert.drones, cert };
-    discharge(&cert.claim, KIND, text, claim.obligations(&scope), &cert.proofs)
+/// Kind `theorem`: the clause that fails, or what was proved and in how many clauses.
+fn theorem(t: &Theorem) -> (&str, Result<(String, usize), Fault>) {
+    let mut step = "statement";
+    let result = prove(t, &mut step);
+    (step, result)
 }
 
-/// Kind `exactness`.
-fn exactness(cert: &ExactnessCert) -> Verdict {
-    let text = format!(
-        "{} fails for every N >= {} and every eps > {}: some start of its start set violates it at step 1",
-        cert.theorem, cert.drones_from, cert.above.0
-    );
-    discharge(&cert.theorem, "exactness", text, exactness::obligations(cert), &cert.proofs)
-}
-
-/// Checks that every obligation has its proof, and that there is no other proof.
-fn discharge(
-    step: &str,
-    kind: &'static str,
-    claim: String,
-    obligations: Result<Vec<Obligation>, Refusal>,
-    proofs: &[Discharge],
-) -> Verdict {
-    let obligations = match obligations {
-        Ok(obligations) => obligations,
-        Err(Refusal::Missing(what)) => return Verdict::Incomplete { missing: vec![what] },
-        Err(Refusal::Wrong(reason)) => return Verdict::invalid(step, kind, reason),
-    };
-    let mut seen = BTreeSet::new();
-    for proof in proofs {
-        if !seen.insert(&proof.obligation) {
-            return Verdict::invalid(&proof.obligation, kind, "proved twice");
-        }
-        let Some(obligation) = obligations.iter().find(|o| o.name == proof.obligation) else {
-            return Verdict::invalid(&proof.obligation, kind, "no such obligation");
+fn prove<'t>(t: &'t Theorem, step: &mut &'t str) -> Result<(String, usize), Fault> {
+    let (mut kernel, s) = (Kernel::default(), &t.statement);
+    let mut words = vec![system::install(&s.system, &mut kernel)?];
+    for (name, sort) in &s.constants.0 {
+        let name = kernel.fresh(name, &Vec::new())?;
+        words.push(format!(
+            "for every {} {name}",
+            if *sort == expr::Sort::Integer { "integer" } else { "real" }
+        ));
+        kernel.signature.constants.insert(name, *sort);
+    }
+    for d in &s.definitions {
+        words.push(format!("where {}", kernel.define(d)?));
+    }
+    for assumption in &s.assumptions {
+        let clause = kernel.clause(assumption)?;
+        words.push(format!("assuming {clause}"));
+        kernel.add(&assumption.name, clause)?;
+    }
+    // What is to be proved, before the proof brings its own names.
+    let goals: Vec<_> =
+        s.conclusions.iter().map(|c| Ok((c, kernel.clause(c)?))).collect::<Result<_, Fault>>()?;
+    for d in &t.proof.definitions {
+        *step = &d.name;
+        kernel.define(d)?;
+    }
+    let mut proved = 0;
+    for lemma in &t.proof.lemmas {
+        *step = &lemma.clause.name;
+        let clause = kernel.clause(&lemma.clause)?;
+        kernel.check(&clause, &lemma.proof)?;
+        kernel.add(&lemma.clause.name, clause)?;
+        proved += 1;
+    }
+    for (written, clause) in goals {
+        *step = &written.name;
+        let Some(proof) = t.proof.conclusions.0.get(&written.name) else {
+            return fault("conclusion", "not proved");
         };
-        if let Err(Fault { rule, reason }) = rules::check(obligation, &proof.proof, 0) {
-            return Verdict::invalid(&proof.obligation, rule, reason);
-        }
+        kernel.check(&clause, proof)?;
+        words.push(format!("proved: {clause}"));
+        kernel.add(&written.name, clause)?;
+        proved += 1;
     }
-    let missing: Vec<String> =
-        obligations.iter().map(|o| o.name.clone()).filter(|name| !seen.contains(name)).collect();
-    if missing.is_empty() {
-        Verdict::Valid { claim, obligations: obligations.len() }
-    } else {
-        Verdict::Incomplete { missing }
+    *step = "statement";
+    if t.proof.conclusions.0.len() != s.conclusions.len() || s.conclusions.is_empty() {
+        return fault("conclusion", "a proof of nothing that the statement says");
     }
+    Ok((words.join("; "), proved))
 }

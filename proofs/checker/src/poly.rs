@@ -1,111 +1,132 @@
-//! Polynomials over the rationals, as the checker's [`Scalar`]: executing the spec on them
-//! gives its transition relation.
+//! Polynomials over variables and applications of functions: what clauses are made of, and the
+//! checker's [`Scalar`], on which it executes the spec.
 
 use std::collections::BTreeMap;
-use std::fmt;
 use std::ops::{Add, Mul, Sub};
+use std::rc::Rc;
 
 use cordon_spec::Scalar;
-use num_traits::{One, Zero};
 
-/// Exact rationals.
-pub type Rational = num_rational::BigRational;
+use crate::number::{Number, charge};
 
-/// An indeterminate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Var {
-    /// One of a kind: `eps`, `min`, `i`, ...
-    Named(&'static str),
-    /// One of a row: `x[-1]` is the position of drone i-1.
-    At(&'static str, i32),
+/// What a polynomial is made of.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Atom {
+    /// A variable or a constant.
+    Var(Rc<str>),
+    /// A function of integer terms.
+    App(Rc<str>, Vec<Poly>),
+    /// A fact by its name; in the sums of proofs only.
+    Fact(Rc<str>),
 }
 
-impl fmt::Display for Var {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Named(name) => f.write_str(name),
-            Self::At(name, offset) => write!(f, "{name}[{offset}]"),
+impl Atom {
+    /// How many atoms it has inside, itself among them.
+    fn size(&self) -> u64 {
+        1 + match self {
+            Self::App(_, terms) => terms.iter().map(Poly::size).sum(),
+            _ => 0,
         }
     }
 }
 
-/// A monomial: its indeterminates in ascending order, each as often as its exponent says.
-pub type Monomial = Vec<Var>;
-
-/// A polynomial: its monomials with their coefficients, none of which is zero, so that equal
-/// polynomials are equal maps.
-#[derive(Clone, Debug, PartialEq, Eq, Default)]
-pub struct Poly(BTreeMap<Monomial, Rational>);
+/// A polynomial: its monomials (atoms in ascending order, a power as a repetition) with their
+/// coefficients, none of which is zero, so that equal polynomials are equal maps.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub struct Poly(BTreeMap<Vec<Atom>, Number>);
 
 impl Poly {
     /// A constant.
-    pub fn constant(c: Rational) -> Self {
+    pub fn constant(c: Number) -> Self {
         let mut p = Self::default();
         p.add_term(Vec::new(), c);
         p
     }
 
-    /// An indeterminate.
-    pub fn var(v: Var) -> Self {
-        Self(BTreeMap::from([(vec![v], Rational::one())]))
+    /// An integer.
+    pub fn whole(n: i64) -> Self {
+        Self::constant(Number::whole(n))
     }
 
-    /// The indeterminate of that name.
-    pub fn named(name: &'static str) -> Self {
-        Self::var(Var::Named(name))
+    /// An atom.
+    pub fn atom(a: Atom) -> Self {
+        Self(BTreeMap::from([(vec![a], Number::whole(1))]))
     }
 
-    /// Whether this is the zero polynomial.
+    /// The variable or constant of that name.
+    pub fn var(name: &str) -> Self {
+        Self::atom(Atom::Var(name.into()))
+    }
+
+    /// That function of these terms.
+    pub fn app(function: &str, terms: &[Self]) -> Self {
+        Self::atom(Atom::App(function.into(), terms.to_vec()))
+    }
+
+    /// Its monomials and coefficients.
+    pub fn terms(&self) -> impl Iterator<Item = (&Vec<Atom>, &Number)> {
+        self.0.iter()
+    }
+
+    /// Whether it is the zero polynomial.
     pub fn is_zero(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// The number of monomials.
-    pub fn len(&self) -> usize {
-        self.0.len()
+    /// How many atoms it has: what copying it costs.
+    pub fn size(&self) -> u64 {
+        self.0.keys().map(|m| 1 + m.iter().map(Atom::size).sum::<u64>()).sum()
     }
 
-    /// Whether there is no monomial: the same as [`Self::is_zero`].
-    pub fn is_empty(&self) -> bool {
-        self.is_zero()
+    /// Whether some atom, or an atom in the terms of one, is so.
+    pub fn any(&self, is: &dyn Fn(&Atom) -> bool) -> bool {
+        let inside = |a: &Atom| matches!(a, Atom::App(_, terms) if terms.iter().any(|t| t.any(is)));
+        self.0.keys().flatten().any(|a| is(a) || inside(a))
     }
 
-    /// The monomials and their coefficients.
-    pub fn terms(&self) -> impl Iterator<Item = (&Monomial, &Rational)> {
-        self.0.iter()
+    /// Whether the variable occurs.
+    pub fn has(&self, name: &str) -> bool {
+        self.any(&|a| matches!(a, Atom::Var(v) if **v == *name))
     }
 
-    /// Adds `c` times the monomial, whose indeterminates are in ascending order.
-    pub fn add_term(&mut self, monomial: Monomial, c: Rational) {
-        let sum = self.0.remove(&monomial).map_or(c.clone(), |old| old + c);
-        if !sum.is_zero() {
-            self.0.insert(monomial, sum);
-        }
-    }
-
-    /// The polynomial with `value(v)` in the place of each indeterminate v for which there is one.
-    pub fn substitute(&self, value: impl Fn(Var) -> Option<Self>) -> Self {
+    /// The polynomial with `value(a)` in the place of each atom for which there is one, also in
+    /// the terms of applications.
+    pub fn substitute(&self, value: &dyn Fn(&Atom) -> Option<Self>) -> Self {
         self.0.iter().fold(Self::default(), |sum, (monomial, c)| {
-            let product = monomial.iter().fold(Self::constant(c.clone()), |product, &v| {
-                product * &value(v).unwrap_or_else(|| Self::var(v))
+            let product = monomial.iter().fold(Self::constant(c.clone()), |product, a| {
+                let inside = || match a {
+                    Atom::App(f, t) => {
+                        Self::app(f, &t.iter().map(|t| t.substitute(value)).collect::<Vec<_>>())
+                    }
+                    _ => Self::atom(a.clone()),
+                };
+                product * &value(a).unwrap_or_else(inside)
             });
             sum + &product
         })
     }
+
+    fn add_term(&mut self, monomial: Vec<Atom>, c: Number) {
+        let sum = self.0.remove(&monomial).map_or(c.clone(), |old| old + &c);
+        if !sum.is_zero() {
+            self.0.insert(monomial, sum);
+        }
+    }
 }
 
-impl From<usize> for Poly {
-    fn from(index: usize) -> Self {
-        Self::constant(Rational::from_integer(index.into()))
-    }
+/// Charges the copy of a monomial; whether it is allowed.
+fn copied(m: &[Atom], n: &[Atom]) -> bool {
+    charge(128 * (1 + m.iter().chain(n).map(Atom::size).sum::<u64>()))
 }
 
 impl Add<&Self> for Poly {
     type Output = Self;
 
     fn add(mut self, other: &Self) -> Self {
-        for (monomial, c) in &other.0 {
-            self.add_term(monomial.clone(), c.clone());
+        for (m, c) in &other.0 {
+            if copied(m, &[]) {
+                self.add_term(m.clone(), c.clone());
+            }
         }
         self
     }
@@ -114,11 +135,8 @@ impl Add<&Self> for Poly {
 impl Sub<&Self> for Poly {
     type Output = Self;
 
-    fn sub(mut self, other: &Self) -> Self {
-        for (monomial, c) in &other.0 {
-            self.add_term(monomial.clone(), -c.clone());
-        }
-        self
+    fn sub(self, other: &Self) -> Self {
+        self + &(Self::whole(-1) * other)
     }
 }
 
@@ -129,9 +147,12 @@ impl Mul<&Self> for Poly {
         let mut product = Self::default();
         for (m, c) in &self.0 {
             for (n, d) in &other.0 {
-                let mut monomial: Monomial = m.iter().chain(n).copied().collect();
+                if !copied(m, n) {
+                    return Self::default();
+                }
+                let mut monomial: Vec<Atom> = m.iter().chain(n).cloned().collect();
                 monomial.sort_unstable();
-                product.add_term(monomial, c * d);
+                product.add_term(monomial, c.clone() * d);
             }
         }
         product
@@ -140,6 +161,6 @@ impl Mul<&Self> for Poly {
 
 impl Scalar for Poly {
     fn from_int(n: i32) -> Self {
-        Self::constant(Rational::from_integer(n.into()))
+        Self::whole(n.into())
     }
 }

@@ -15,13 +15,12 @@ fn cordon_check(files: &[&str]) -> (i32, String, String) {
 }
 
 const GOOD: &str = "certificates/7.3-sharp.json";
-const INVALID: &str = "must-not-prove/positivity-wrong-coefficient.json";
-const INCOMPLETE: &str = "must-not-prove/theorem-obligation-missing.json";
+const INVALID: &str = "must-not-prove/positivity-sides-differ.json";
 const UNREADABLE: &str = "must-not-prove/format-schema.json";
 
 #[test]
 fn each_verdict_has_its_exit_code() {
-    let cases = [(GOOD, 0), (UNREADABLE, 2), (INCOMPLETE, 3), (INVALID, 4)];
+    let cases = [(GOOD, 0), (UNREADABLE, 2), (INVALID, 4)];
     for (file, code) in cases {
         let (status, out, err) = cordon_check(&[file]);
         assert_eq!((status, err.as_str()), (code, ""), "{file}");
@@ -35,8 +34,7 @@ fn each_verdict_has_its_exit_code() {
 #[test]
 fn the_worst_verdict_decides() {
     assert_eq!(cordon_check(&[GOOD, UNREADABLE, GOOD]).0, 2);
-    assert_eq!(cordon_check(&[INCOMPLETE, UNREADABLE]).0, 3);
-    assert_eq!(cordon_check(&[GOOD, INVALID, INCOMPLETE]).0, 4);
+    assert_eq!(cordon_check(&[GOOD, INVALID, UNREADABLE]).0, 4);
     let (status, out, _) = cordon_check(&[INVALID, "no-such-file.json", GOOD]);
     assert_eq!((status, out.lines().count()), (74, 2));
 }
@@ -44,10 +42,7 @@ fn the_worst_verdict_decides() {
 #[test]
 fn the_step_and_the_rule_are_named() {
     let (_, out, _) = cordon_check(&[INVALID]);
-    assert!(
-        out.contains("invalid: step/error/inner: rule positivity: the two sides differ"),
-        "{out}"
-    );
+    assert!(out.contains("invalid: GOAL: rule positivity: the sides differ"), "{out}");
 }
 
 #[test]

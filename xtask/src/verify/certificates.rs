@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use cordon_check::Verdict as Answer;
-use cordon_check::format::{Certificate, read};
+use cordon_proof::prove::{CLAIMS, stated};
 use cordon_spec::theorems::{Form, Theorem};
+use serde_json::Value;
 
 use super::{Evidence, Status, Tier, Verdict, this_program};
 use cordon_core::files;
@@ -30,8 +31,6 @@ struct Judged {
     /// Whether it is the theorem itself: the sharp form, every N, all weights of its range.
     whole: bool,
     verdict: Verdict,
-    /// The checker's words.
-    said: String,
     seconds: f64,
 }
 
@@ -69,27 +68,21 @@ fn judge(path: &Path) -> Result<Judged, String> {
     let started = Instant::now();
     let answer = cordon_check::check(&text);
     let seconds = started.elapsed().as_secs_f64();
-    let (claim, whole) = match read(&text) {
-        Ok(Certificate::Theorem(c)) => {
-            let whole = c.form.as_deref() == Some(Form::Sharp.label());
-            let whole = whole && c.drones.is_none() && c.weights.is_none();
-            (c.claim, whole)
-        }
-        Ok(Certificate::Exactness(c)) => (format!("{}-exact", c.theorem), false),
-        // About one N and one eps, a counterexample, or a user's own protocol: no theorem. And
-        // what cannot be read is about nothing.
-        Ok(_) | Err(_) => (String::new(), false),
-    };
+    // What it states says what it is about, not its name. About one N and one eps, a counterexample
+    // or a user's own protocol is about no theorem; neither is what cannot be read.
+    let page: Value = serde_json::from_str(&text).unwrap_or_default();
+    let found = stated(&page["certificate"]["theorem"]["statement"]);
+    let claim = found.map_or_else(String::new, |(claim, _)| claim.name.to_owned());
+    let whole = found.is_some_and(|(claim, form)| claim.theorem.is_some() && form == Form::Sharp);
     let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let said = answer.to_string();
     let verdict = match answer {
         Answer::Valid { .. } => Verdict::Holds,
-        Answer::Incomplete { .. } => Verdict::Inconclusive(format!("{name}: {said}")),
         Answer::Invalid { .. } | Answer::Unreadable { .. } => {
             Verdict::Rejected(format!("{name}: {said}"))
         }
     };
-    Ok(Judged { claim, whole, verdict, said, seconds })
+    Ok(Judged { claim, whole, verdict, seconds })
 }
 
 /// Whether a claim is about the theorem: `7.3`, `7.3-mirror`, and `7.5-identity` of 7.5i.
@@ -126,8 +119,11 @@ impl Tier for Certificates {
         if mine.is_empty() {
             return Status::NotRun(format!("no certificate about {}", theorem.number()));
         }
-        // The theorem itself has to be among the accepted; extensions alone prove it not.
-        let itself = mine.iter().find(|j| j.whole && j.claim == theorem.number());
+        // All parts of the theorem itself have to be among the accepted; extensions alone prove it not.
+        let accepted = |name: &str| mine.iter().find(|j| j.whole && j.claim == name);
+        let mut parts = CLAIMS.iter().filter(|c| c.theorem == Some(theorem));
+        let itself =
+            accepted(theorem.number()).filter(|_| parts.all(|c| accepted(c.name).is_some()));
         let worst = mine.iter().map(|j| &j.verdict).max_by_key(|v| v.outcome().code());
         let verdict = match (worst, itself) {
             (Some(worst), _) if *worst != Verdict::Holds => worst.clone(),
@@ -135,7 +131,7 @@ impl Tier for Certificates {
             _ => Verdict::Inconclusive("only parts or extensions of it are certified".into()),
         };
         let scope = match itself {
-            Some(j) => j.said.trim_start_matches("valid: ").to_owned(),
+            Some(j) => format!("{} (sharp) for every N >= 3, all weights of its range", j.claim),
             None => format!("{} certificates", mine.len()),
         };
         let extra = mine.len() - usize::from(itself.is_some());

@@ -1,45 +1,104 @@
-//! Proofs: the untrusted search for certificates. What it finds counts only once the
-//! independent checker (`cordon-check`) has accepted it.
+//! Proofs: the untrusted search for certificates. What it finds counts only once the independent checker
+//! (`cordon-check`) has accepted it.
+//!
+//! The search knows one strategy a shape of theorem: induction over steps with cases over the
+//! drones ([`invariants`]), telescoping sums and fronts ([`sums`]), contraction ([`limit`]). The range
+//! of weights and the number of drones are filled in.
 
-pub mod certificate;
-pub mod claims;
-pub mod exactness;
-mod exchange;
-mod goals;
-mod primitive;
-mod search;
-mod symbols;
-mod window;
+mod builder;
+mod invariants;
+mod lemmas;
+mod limit;
+mod others;
+mod sums;
 
+use cordon_spec::theorems::{Form, Theorem};
 use serde_json::Value;
 
-use claims::Claim;
-pub use goals::Scope;
-pub use search::Effort;
+use builder::Sheet;
+pub use lemmas::Scope;
+use lemmas::{ABOVE, BELOW, LOWER, Steps};
 
-/// How a search ends.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Found {
-    /// A certificate: for the checker to judge.
-    Certificate(Value),
-    /// No proof within the effort; these goals lack one.
-    Nothing(Vec<String>),
+/// Something that can be proved: a theorem, a part or an extension of one.
+#[derive(Clone, Copy, Debug)]
+pub struct Claim {
+    /// The theorem's number, with the name of the extension.
+    pub name: &'static str,
+    /// The theorem whose hypothesis is meant, if the claim has the two forms of one.
+    pub theorem: Option<Theorem>,
+    sheet: fn(&Scope) -> Option<Sheet>,
 }
 
-/// Searches a proof of the claim.
-pub fn prove(claim: &Claim, scope: &Scope, effort: Effort) -> Found {
-    let primitives: Vec<_> = primitive::find(claim).into_iter().collect();
-    let goals = goals::Deriver { claim, scope, primitives: &primitives }.goals();
-    let (mut proofs, mut missing) = (Vec::new(), Vec::new());
-    for goal in goals {
-        match search::prove(&goal, effort) {
-            Some(proof) => proofs.push((goal.name, proof)),
-            None => missing.push(goal.name),
+/// Every claim.
+pub const CLAIMS: [Claim; 27] = {
+    use Steps::{Activation, Delay, Full};
+    const fn of(name: &'static str, theorem: Theorem, sheet: fn(&Scope) -> Option<Sheet>) -> Claim {
+        Claim { name, theorem: Some(theorem), sheet }
+    }
+    const fn claim(name: &'static str, sheet: fn(&Scope) -> Option<Sheet>) -> Claim {
+        Claim { name, theorem: None, sheet }
+    }
+    [
+        of("7.2", Theorem::Ordering, |s| invariants::ordering(s, Full)),
+        of("7.3", Theorem::UpperBound, |s| invariants::upper(s, Full)),
+        of("7.4i", Theorem::SumBounded, sums::bounded),
+        of("7.4ii", Theorem::SumMaximal, sums::maximal),
+        of("7.4ii-if", Theorem::SumMaximal, sums::met),
+        of("7.5i", Theorem::SumNonDecreasing, sums::non_decreasing),
+        of("7.5ii", Theorem::SumStationary, sums::stationary),
+        of("7.6i", Theorem::TargetsFixed, sums::targets_fixed),
+        of("7.6ii", Theorem::ConstantSum, sums::constant_sum),
+        of("7.7", Theorem::GloballyIncreasing, sums::globally_increasing),
+        of("7.8", Theorem::Limit, limit::limit),
+        claim("7.8-beyond", limit::beyond),
+        claim("7.8-low", limit::low),
+        claim("7.5-identity", sums::identity),
+        claim("7.3-mirror", |s| invariants::assumed(s, Full, &[LOWER])),
+        claim("7.3-box", |s| invariants::assumed(s, Full, &[ABOVE, BELOW])),
+        claim("7.2-activation", |s| invariants::ordering(s, Activation)),
+        claim("7.3-activation", |s| invariants::upper(s, Activation)),
+        claim("7.3-mirror-activation", |s| invariants::assumed(s, Activation, &[LOWER])),
+        claim("7.3-box-activation", |s| invariants::assumed(s, Activation, &[ABOVE, BELOW])),
+        claim("7.3-delay", |s| invariants::upper(s, Delay)),
+        claim("7.3-mirror-delay", |s| invariants::assumed(s, Delay, &[LOWER])),
+        claim("7.3-box-delay", |s| invariants::assumed(s, Delay, &[ABOVE, BELOW])),
+        claim("consensus-average", sums::consensus),
+        claim("projection", others::projection),
+        claim("7.2-exact", others::ordering_exact),
+        claim("7.3-exact", others::upper_exact),
+    ]
+};
+
+impl Claim {
+    /// The forms that it has; the sharp one stands for a claim that has no other.
+    pub fn forms(&self) -> &'static [Form] {
+        if self.theorem.is_some() { &Form::ALL } else { &[Form::Sharp] }
+    }
+
+    /// Its name in that form.
+    pub fn label(&self, form: Form) -> String {
+        match self.theorem {
+            Some(_) => format!("{}-{}", self.name, form.label()),
+            None => self.name.to_owned(),
         }
     }
-    if missing.is_empty() {
-        Found::Certificate(certificate::theorem(claim, scope, &primitives, &proofs))
-    } else {
-        Found::Nothing(missing)
+
+    /// What a certificate of the claim has to state; nothing if the strategy fits no such scope.
+    pub fn statement(&self, scope: &Scope) -> Option<Value> {
+        (self.sheet)(scope).map(|sheet| sheet.statement())
     }
+
+    /// A certificate of the claim, for the checker to judge; nothing if the strategy fits no such scope.
+    pub fn prove(&self, scope: &Scope) -> Option<Value> {
+        (self.sheet)(scope).map(|sheet| sheet.certificate())
+    }
+}
+
+/// The claim, and its form, whose statement for every N and all weights of its range this is.
+pub fn stated(statement: &Value) -> Option<(&'static Claim, Form)> {
+    let all = CLAIMS.iter().flat_map(|c| c.forms().iter().map(move |&form| (c, form)));
+    let mut whole = all.map(|(c, form)| (c, form, Scope { form, weights: None, drones: None }));
+    whole
+        .find(|(c, _, scope)| c.statement(scope).as_ref() == Some(statement))
+        .map(|(c, form, _)| (c, form))
 }

@@ -1,0 +1,272 @@
+//! Expressions: polynomials and their relations to 0 as text.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::rc::Rc;
+
+use crate::number::{Number, charge};
+use crate::poly::{Atom, Poly};
+
+/// What a variable, a constant or a function takes its values from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sort {
+    /// The integers.
+    Integer,
+    /// The real numbers.
+    Real,
+}
+
+/// What is said of a polynomial.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// It is above 0.
+    Positive,
+    /// It is 0 or above.
+    NonNegative,
+    /// It is 0.
+    Zero,
+}
+
+/// A polynomial and its relation to 0.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Literal {
+    /// The polynomial.
+    pub poly: Poly,
+    /// What it is.
+    pub relation: Relation,
+}
+
+impl Literal {
+    /// The literal with a polynomial made of its own.
+    pub fn map(&self, f: impl FnOnce(&Poly) -> Poly) -> Self {
+        Self { poly: f(&self.poly), relation: self.relation }
+    }
+}
+
+/// Variables with their sorts.
+pub type Vars = Vec<(Rc<str>, Sort)>;
+
+/// The names that an expression may use beside its variables.
+#[derive(Clone, Debug, Default)]
+pub struct Signature {
+    /// Constants of the theorem.
+    pub constants: BTreeMap<Rc<str>, Sort>,
+    /// Functions: how many integer terms they take, and what they give.
+    pub functions: BTreeMap<Rc<str>, (usize, Sort)>,
+    /// The meaning of `last`, N-1: a constant, or a number for one N.
+    pub last: Poly,
+}
+
+/// Most brackets within brackets.
+const MAX_DEPTH: usize = 32;
+
+/// Longest name.
+const MAX_NAME: usize = 40;
+
+impl Signature {
+    /// Whether it is an integer for all integers: integer coefficients, and atoms that are.
+    pub fn is_integer(&self, p: &Poly, vars: &Vars) -> bool {
+        p.terms().all(|(monomial, c)| {
+            c.is_integer()
+                && monomial.iter().all(|a| match a {
+                    Atom::Var(v) => self.sort(v, vars) == Some(Sort::Integer),
+                    Atom::App(f, _) => self.functions.get(f).is_some_and(|f| f.1 == Sort::Integer),
+                    Atom::Fact(_) => false,
+                })
+        })
+    }
+
+    fn sort(&self, name: &str, vars: &Vars) -> Option<Sort> {
+        let bound = vars.iter().find(|(v, _)| **v == *name).map(|(_, sort)| *sort);
+        bound.or_else(|| self.constants.get(name).copied())
+    }
+
+    /// Reads a polynomial; facts, `[name]`, are atoms where they are allowed.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn poly(&self, text: &str, vars: &Vars, facts: bool) -> Result<Poly, String> {
+        let mut parser =
+            Parser { signature: self, vars, facts, rest: text.trim_start_matches(' ') };
+        let poly = parser.sum(0)?;
+        match parser.rest {
+            "" => Ok(poly),
+            rest => Err(format!("`{text:.60}`: unexpected `{rest:.20}`")),
+        }
+    }
+
+    /// Reads two polynomials with `>=`, `>`, `=`, `<=` or `<` between.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn literal(&self, text: &str, vars: &Vars) -> Result<Literal, String> {
+        for (sign, relation, turned) in [
+            (">=", Relation::NonNegative, false),
+            ("<=", Relation::NonNegative, true),
+            (">", Relation::Positive, false),
+            ("<", Relation::Positive, true),
+            ("=", Relation::Zero, false),
+        ] {
+            if let Some((left, right)) = text.split_once(sign) {
+                let (l, r) = (self.poly(left, vars, false)?, self.poly(right, vars, false)?);
+                let poly = if turned { r - &l } else { l - &r };
+                return Ok(Literal { poly, relation });
+            }
+        }
+        Err(format!("`{text:.60}`: expected a relation"))
+    }
+}
+
+struct Parser<'t> {
+    signature: &'t Signature,
+    vars: &'t Vars,
+    facts: bool,
+    rest: &'t str,
+}
+
+impl<'t> Parser<'t> {
+    fn take(&mut self, wanted: &str) -> bool {
+        let found = self.rest.strip_prefix(wanted);
+        self.rest = found.map_or(self.rest, |rest| rest.trim_start_matches(' '));
+        found.is_some()
+    }
+
+    fn expect(&mut self, wanted: &str) -> Result<(), String> {
+        match self.take(wanted) {
+            true => Ok(()),
+            false => Err(format!("expected `{wanted}` before `{:.20}`", self.rest)),
+        }
+    }
+
+    /// The longest beginning of such characters.
+    fn word(&mut self, is: impl Fn(char) -> bool) -> Result<&'t str, String> {
+        let end = self.rest.find(|c| !is(c)).unwrap_or(self.rest.len());
+        let (word, rest) = self.rest.split_at(end);
+        self.rest = rest.trim_start_matches(' ');
+        if word.is_empty() || !charge(128) {
+            return Err(format!("expected a number, a name or `(` before `{:.20}`", self.rest));
+        }
+        Ok(word)
+    }
+
+    /// `[-] product (+|- product)*`
+    fn sum(&mut self, depth: usize) -> Result<Poly, String> {
+        if depth > MAX_DEPTH {
+            return Err(format!("more than {MAX_DEPTH} brackets within brackets"));
+        }
+        let mut sum = Poly::default();
+        let mut minus = self.take("-");
+        loop {
+            let product = self.product(depth)?;
+            sum = if minus { sum - &product } else { sum + &product };
+            minus = self.take("-");
+            if !minus && !self.take("+") {
+                return Ok(sum);
+            }
+        }
+    }
+
+    /// `factor (* factor)*`
+    fn product(&mut self, depth: usize) -> Result<Poly, String> {
+        let mut product = self.factor(depth)?;
+        while self.take("*") {
+            product = product * &self.factor(depth)?;
+        }
+        Ok(product)
+    }
+
+    /// `number | name | name(sum, ...) | [fact] | (sum)`
+    fn factor(&mut self, depth: usize) -> Result<Poly, String> {
+        if self.take("(") {
+            let inside = self.sum(depth + 1)?;
+            return self.expect(")").map(|()| inside);
+        }
+        if self.facts && self.take("[") {
+            let name = self.word(|c| c.is_ascii_alphanumeric() || ".-".contains(c))?;
+            return self.expect("]").map(|()| Poly::atom(Atom::Fact(name.into())));
+        }
+        if self.rest.starts_with(|c: char| c.is_ascii_digit()) {
+            return Ok(Poly::constant(Number::read(
+                self.word(|c| c.is_ascii_digit() || c == '/')?,
+            )?));
+        }
+        let name = self.word(|c| c.is_ascii_alphanumeric())?;
+        if name.len() > MAX_NAME {
+            return Err(format!("a name of {} characters: at most {MAX_NAME}", name.len()));
+        }
+        if !self.take("(") {
+            return match self.signature.sort(name, self.vars) {
+                _ if name == "last" => Ok(self.signature.last.clone()),
+                Some(_) => Ok(Poly::var(name)),
+                None => Err(format!("`{name}` is no variable or constant here")),
+            };
+        }
+        let mut terms = vec![self.sum(depth + 1)?];
+        while self.take(",") {
+            terms.push(self.sum(depth + 1)?);
+        }
+        self.expect(")")?;
+        match self.signature.functions.get(name) {
+            Some((arity, _)) if *arity == terms.len() => {}
+            Some((arity, _)) => return Err(format!("`{name}` takes {arity} terms")),
+            None => return Err(format!("`{name}` is no function here")),
+        }
+        match terms.iter().all(|t| self.signature.is_integer(t, self.vars)) {
+            true => Ok(Poly::app(name, &terms)),
+            false => Err(format!("a term of `{name}` is no integer")),
+        }
+    }
+}
+
+impl fmt::Display for Poly {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (n, (monomial, c)) in self.terms().enumerate() {
+            let sign = if c.is_positive() { " + " } else { " - " };
+            f.write_str(if n > 0 {
+                sign
+            } else if c.is_positive() {
+                ""
+            } else {
+                "-"
+            })?;
+            let one = c.magnitude() == Number::whole(1) && !monomial.is_empty();
+            let mut factors = if one { vec![] } else { vec![c.magnitude().to_string()] };
+            factors.extend(monomial.iter().map(ToString::to_string));
+            f.write_str(&factors.join("*"))?;
+        }
+        if self.is_zero() { f.write_str("0") } else { Ok(()) }
+    }
+}
+
+impl fmt::Display for Atom {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Var(name) => f.write_str(name),
+            Self::Fact(name) => write!(f, "[{name}]"),
+            Self::App(name, terms) => {
+                let terms: Vec<_> = terms.iter().map(ToString::to_string).collect();
+                write!(f, "{name}({})", terms.join(","))
+            }
+        }
+    }
+}
+
+/// Positive terms to the left, negative ones to the right.
+impl fmt::Display for Literal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let side = |positive: bool| {
+            let terms = self.poly.terms().filter(|(_, c)| c.is_positive() == positive);
+            terms.fold(Poly::default(), |p, (m, c)| {
+                let product =
+                    m.iter().fold(Poly::constant(c.magnitude()), |p, a| p * &Poly::atom(a.clone()));
+                p + &product
+            })
+        };
+        let sign = match self.relation {
+            Relation::Positive => ">",
+            Relation::NonNegative => ">=",
+            Relation::Zero => "=",
+        };
+        write!(f, "{} {sign} {}", side(true), side(false))
+    }
+}

@@ -1,0 +1,157 @@
+//! Exact rationals that count the work done on them: the one bound on the time of a check.
+
+use std::cell::Cell;
+use std::cmp::Ordering;
+use std::fmt;
+use std::ops::{Add, Mul, Sub};
+
+use cordon_spec::{Ordered, Scalar};
+use num_bigint::BigInt;
+use num_traits::{Signed, Zero};
+
+type Rational = num_rational::BigRational;
+
+/// Work allowed a file: 128 an operation on short numbers or a name read, more as [`charge`]'s callers say.
+pub const MAX_WORK: u64 = 1 << 27;
+
+/// Longest number of a file, in characters. Room for fractions of 1,000 digits, the finest
+/// bracket of a critical eps that `cordon threshold` gives.
+pub const MAX_NUMBER: usize = 2_100;
+
+thread_local! {
+    static LEFT: Cell<u64> = const { Cell::new(MAX_WORK) };
+}
+
+/// Starts a check: all work is left.
+pub fn refill() {
+    LEFT.set(MAX_WORK);
+}
+
+/// Work that was done, up to [`MAX_WORK`].
+pub fn done() -> u64 {
+    MAX_WORK - LEFT.get()
+}
+
+/// Whether no work is left.
+pub fn exhausted() -> bool {
+    LEFT.get() == 0
+}
+
+/// Counts some work; whether it is allowed.
+pub fn charge(work: u64) -> bool {
+    LEFT.set(LEFT.get().saturating_sub(work));
+    LEFT.get() > 0
+}
+
+/// An exact rational. Once no work is left every result is 0, whatever the operands: whoever
+/// judges by such numbers has to ask [`exhausted`] before believing them.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Number(Rational);
+
+impl Number {
+    /// Reads `7` or `-3/4`: nothing else has the one form in which it prints.
+    ///
+    /// # Errors
+    /// No such number.
+    pub fn read(text: &str) -> Result<Self, String> {
+        let (num, den) = text.split_once('/').unwrap_or((text, "1"));
+        let digits = |t: &str| !t.is_empty() && t.bytes().all(|b| b.is_ascii_digit());
+        if text.len() > MAX_NUMBER
+            || !digits(num.strip_prefix('-').unwrap_or(num))
+            || !digits(den)
+            || !charge((text.len() as u64 / 64).pow(2))
+        {
+            return Err(format!(
+                "`{text:.40}`: expected a fraction of at most {MAX_NUMBER} characters"
+            ));
+        }
+        let parse = |t: &str| t.parse::<BigInt>().map_err(|e| format!("`{text:.40}`: {e}"));
+        let (num, den) = (parse(num)?, parse(den)?);
+        if den.is_zero() {
+            return Err(format!("`{text:.40}` divides by zero"));
+        }
+        let value = Rational::new(num, den);
+        match value.to_string() == text {
+            true => Ok(Self(value)),
+            false => Err(format!("`{text:.40}` is not in lowest terms")),
+        }
+    }
+
+    /// The integer n.
+    pub fn whole(n: i64) -> Self {
+        Self(Rational::from_integer(n.into()))
+    }
+
+    /// Whether it is 0.
+    pub fn is_zero(&self) -> bool {
+        self.0.is_zero()
+    }
+
+    /// Whether it is above 0.
+    pub fn is_positive(&self) -> bool {
+        self.0.is_positive()
+    }
+
+    /// Whether it is an integer.
+    pub fn is_integer(&self) -> bool {
+        self.0.is_integer()
+    }
+
+    /// The value without its sign.
+    pub fn magnitude(&self) -> Self {
+        Self(self.0.abs())
+    }
+
+    /// Numerator and denominator in words of 64 bits, each rounded down.
+    fn words(&self) -> u64 {
+        self.0.numer().bits() / 64 + self.0.denom().bits() / 64
+    }
+
+    /// Charges an operation on the two, which costs at most the square of their length.
+    fn charged(&self, other: &Self, result: impl FnOnce() -> Rational) -> Self {
+        let words = self.words() + other.words();
+        Self(if charge(128 + words * words / 2) { result() } else { Rational::zero() })
+    }
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl Add<&Self> for Number {
+    type Output = Self;
+
+    fn add(self, other: &Self) -> Self {
+        self.charged(other, || &self.0 + &other.0)
+    }
+}
+
+impl Sub<&Self> for Number {
+    type Output = Self;
+
+    fn sub(self, other: &Self) -> Self {
+        self.charged(other, || &self.0 - &other.0)
+    }
+}
+
+impl Mul<&Self> for Number {
+    type Output = Self;
+
+    fn mul(self, other: &Self) -> Self {
+        self.charged(other, || &self.0 * &other.0)
+    }
+}
+
+impl Scalar for Number {
+    fn from_int(n: i32) -> Self {
+        Self::whole(n.into())
+    }
+}
+
+impl Ordered for Number {
+    fn compare(&self, other: &Self) -> Option<Ordering> {
+        charge(128 + self.words() + other.words()).then(|| self.cmp(other))
+    }
+}

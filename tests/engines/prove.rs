@@ -353,7 +353,7 @@ fn invariants_of_random_protocols_hold_when_certified() {
             "multipliers": multipliers.iter().map(|m| text(m)).collect::<Vec<_>>(),
         });
         let page =
-            json!({ "schema": "cordon-certificate/1", "certificate": { "invariance": body } });
+            json!({ "schema": "cordon-certificate/2", "certificate": { "invariance": body } });
         let verdict = cordon_check::check(&page.to_string());
         assert_eq!(verdict.code(), 0, "{verdict}");
         certified += 1;

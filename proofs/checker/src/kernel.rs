@@ -118,6 +118,11 @@ impl Kernel {
         if taken { fault("name", format!("`{name:.40}` is there twice")) } else { Ok(()) }
     }
 
+    /// The clause of that name.
+    pub fn lemma(&self, name: &str) -> Option<&Clause> {
+        self.lemmas.get(name)
+    }
+
     /// Reads a clause.
     ///
     /// # Errors

@@ -1,0 +1,234 @@
+//! The clauses that the checker reads off the spec say what the spec does: of every drone of every
+//! swarm tried, of every start and of every weight tried.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use std::collections::BTreeMap;
+
+use cordon_check::expr::Relation;
+use cordon_check::format::System;
+use cordon_check::kernel::Kernel;
+use cordon_check::number::{Number, refill};
+use cordon_check::poly::{Atom, Poly};
+use cordon_check::system::install;
+use cordon_spec::activation::exec_coverage_active;
+use cordon_spec::consensus::exec_consensus;
+use cordon_spec::coverage::exec_coverage;
+use cordon_spec::delay::exec_coverage_delayed;
+use cordon_spec::graph::Path;
+use cordon_spec::theorems::{Form, Setting, Theorem, Truth};
+use cordon_spec::{Params, Scalar, State};
+use serde_json::{Value, json};
+
+/// Largest swarm tried.
+const MOST: usize = 16;
+
+fn kernel(system: &Value) -> Kernel {
+    refill();
+    let system: System = serde_json::from_value(system.clone()).unwrap();
+    let mut kernel = Kernel::default();
+    install(&system, &mut kernel).unwrap();
+    kernel
+}
+
+/// The polynomial of a clause's goal with numbers in the place of variables.
+fn goal(kernel: &Kernel, name: &str, values: &[(&str, usize)]) -> Poly {
+    let value = |a: &Atom| {
+        let known = values.iter().find(|(v, _)| *a == Atom::Var((*v).into()));
+        known.map(|(_, n)| Poly::from_index(*n))
+    };
+    kernel.lemma(name).unwrap_or_else(|| panic!("{name}")).goal.poly.substitute(&value)
+}
+
+fn class(count: usize, i: usize) -> &'static str {
+    match i {
+        0 => "first",
+        _ if i + 1 == count => "last",
+        _ => "inner",
+    }
+}
+
+fn x(k: &Poly, i: usize) -> Poly {
+    Poly::app("x", &[k.clone(), Poly::from_index(i)])
+}
+
+#[test]
+fn classes_stand_for_every_drone_of_every_swarm() {
+    let k = Poly::var("k");
+    let params =
+        Params { min: Poly::var("min"), max: Poly::var("max"), eps: Poly::var("eps"), n: 0 };
+    let mut compared = 0;
+    let systems = [
+        ("coverage", "full"),
+        ("coverage", "activation"),
+        ("coverage", "delay"),
+        ("consensus", "full"),
+    ];
+    for (protocol, steps) in systems {
+        let kernel = kernel(&json!({ "protocol": protocol, "steps": steps }));
+        for count in 3..=MOST {
+            refill();
+            let state =
+                State { drones: (0..count).map(|i| x(&k, i)).collect::<Vec<_>>(), timesteps: 0 };
+            for i in 0..count {
+                let name = format!("step.{}", class(count, i));
+                let clause = goal(&kernel, &name, &[("i", i), ("last", count - 1)]);
+                let after = x(&(k.clone() + &Poly::whole(1)), i);
+                // Each way to take the step, with what the clause's functions are in it.
+                let ways: Vec<(Poly, Vec<(Atom, Poly)>)> = match (protocol, steps) {
+                    ("consensus", _) => {
+                        let path = Path { count };
+                        vec![(exec_consensus(&params.eps, &path, &state.drones)[i].clone(), vec![])]
+                    }
+                    (_, "activation") => [true, false]
+                        .map(|on| {
+                            let next = exec_coverage_active(&params, &state, |j| on == (j == i));
+                            let terms = vec![k.clone(), Poly::from_index(i)];
+                            let share = Poly::from_int(i32::from(on));
+                            (
+                                next.drones[i].clone(),
+                                vec![(Atom::App("active".into(), terms), share)],
+                            )
+                        })
+                        .to_vec(),
+                    (_, "delay") => {
+                        let seen = |j: usize| {
+                            Poly::app(
+                                "seen",
+                                &[k.clone(), Poly::from_index(i), Poly::from_index(j)],
+                            )
+                        };
+                        let late: Vec<Poly> = (0..count).map(|j| x(&seen(j), j)).collect();
+                        let next = exec_coverage_delayed(&params, &state, |_, j| &late[j]);
+                        vec![(next.drones[i].clone(), vec![])]
+                    }
+                    _ => vec![(exec_coverage(&params, &state).drones[i].clone(), vec![])],
+                };
+                for (next, values) in ways {
+                    let value =
+                        |a: &Atom| values.iter().find(|(b, _)| a == b).map(|(_, p)| p.clone());
+                    let clause = clause.substitute(&value);
+                    assert_eq!(clause, after.clone() - &next, "{protocol} {steps} {i} of {count}");
+                    compared += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(compared, 5 * (3..=MOST).sum::<usize>());
+}
+
+/// Whether a clause about the start and eps holds: for all i for which its literals given do.
+fn holds(kernel: &Kernel, name: &str, setting: &Setting<Number>, start: &[Number]) -> bool {
+    let clause = kernel.lemma(name).unwrap();
+    let last = start.len() - 1;
+    let number = |p: &Poly, i: usize| -> Number {
+        let value = |a: &Atom| {
+            let constant = |n: &Number| Some(Poly::constant(n.clone()));
+            match a {
+                Atom::Var(v) => match &**v {
+                    "min" => constant(&setting.min),
+                    "max" => constant(&setting.max),
+                    "eps" => constant(&setting.eps_num),
+                    "last" => Some(Poly::from_index(last)),
+                    _ => Some(Poly::from_index(i)),
+                },
+                Atom::App(_, terms) => {
+                    let at = |j: usize| Poly::from_index(j);
+                    let place = terms[1].substitute(&|a| match a {
+                        Atom::Var(v) if **v == *"last" => Some(at(last)),
+                        _ => Some(at(i)),
+                    });
+                    (0..=last).find(|&j| at(j) == place).and_then(|j| constant(&start[j]))
+                }
+                Atom::Fact(_) => None,
+            }
+        };
+        p.substitute(&value).terms().next().map_or(Number::whole(0), |(_, c)| c.clone())
+    };
+    (0..=last).all(|i| {
+        let given = clause.given.values().all(|l| number(&l.poly, i) >= Number::whole(0));
+        if !given {
+            return true;
+        }
+        let value = number(&clause.goal.poly, i);
+        match clause.goal.relation {
+            Relation::Positive => value.is_positive(),
+            Relation::NonNegative => value >= Number::whole(0),
+            Relation::Zero => value.is_zero(),
+        }
+    })
+}
+
+#[test]
+fn hypotheses_are_those_of_the_spec() {
+    let mut answers: BTreeMap<bool, usize> = BTreeMap::new();
+    let mut seed = 1_usize;
+    let mut below = move |n: usize| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 33) % n
+    };
+    for theorem in Theorem::ALL {
+        for form in Form::ALL {
+            let of = json!({ "theorem": theorem.number(), "form": form.label() });
+            let system = json!({ "protocol": "coverage", "steps": "full", "weights": { "of": of }, "starts": of });
+            let kernel = kernel(&system);
+            let there = |names: &[&'static str]| -> Vec<&'static str> {
+                names.iter().copied().filter(|n| kernel.lemma(n).is_some()).collect()
+            };
+            let weights = there(&["weight.low", "weight.high", "weight.four"]);
+            let starts = there(&[
+                "start.first",
+                "start.last",
+                "start.order",
+                "start.segment",
+                "start.bound",
+            ]);
+            for _ in 0..200 {
+                refill();
+                let count = 3 + below(3);
+                let part = |n: usize, d: usize| Number::read(&quotient(n, d)).unwrap();
+                let setting = Setting {
+                    min: Number::whole(0),
+                    max: Number::whole(i64::try_from(count - 1).unwrap()),
+                    eps_num: part(below(8), 6) - &part(1, 6),
+                    eps_den: Number::whole(1),
+                };
+                let mut start: Vec<Number> =
+                    (0..count).map(|_| part(below(4 * count), 4)).collect();
+                if below(2) == 0 {
+                    start.sort();
+                }
+                if below(4) > 0 {
+                    (start[0], start[count - 1]) = (setting.min.clone(), setting.max.clone());
+                }
+                let hypothesis = theorem.hypothesis(form);
+                let both =
+                    |names: &[&str]| names.iter().all(|n| holds(&kernel, n, &setting, &start));
+                let found = both(&starts);
+                assert_eq!(
+                    found,
+                    hypothesis.starts.contains(&setting, &start) == Truth::True,
+                    "{theorem:?} {start:?}"
+                );
+                *answers.entry(found).or_default() += 1;
+                // Below the critical weight there are minors, which are no numbers here.
+                if kernel.lemma("minor.step").is_none() {
+                    let eps = &setting.eps_num;
+                    let met =
+                        hypothesis.weights.contains(eps, &setting.eps_den, count) == Truth::True;
+                    assert_eq!(both(&weights), met, "{theorem:?} {eps}");
+                    *answers.entry(met).or_default() += 1;
+                }
+            }
+        }
+    }
+    assert!(answers[&true] > 1_000 && answers[&false] > 1_000, "{answers:?}");
+}
+
+fn quotient(n: usize, d: usize) -> String {
+    let divisor = (1..=n.max(1)).rev().find(|g| n % g == 0 && d % g == 0).unwrap();
+    match (n / divisor, d / divisor) {
+        (0, _) => "0".into(),
+        (n, 1) => n.to_string(),
+        (n, d) => format!("{n}/{d}"),
+    }
+}

@@ -49,8 +49,7 @@ pub use cordon_spec as spec;
 pub use cordon_spec::theorems::{Form, Theorem};
 
 use cordon_cosim::cosimulation::Cosimulation;
-use cordon_proof::prove::claims::Claim;
-use cordon_proof::prove::{Effort, Found, Scope};
+use cordon_proof::prove::{CLAIMS, Scope};
 use cordon_proof::refute;
 use cordon_run::fast::{Engine, Rule, engine};
 use cordon_run::trace::{self as rows, Selection, Unit};
@@ -164,7 +163,8 @@ pub fn refute(
 
 /// Searches a proof of a theorem for every number of drones, every step and every real weight
 /// of its range. The certificate is a JSON text, for [`check_certificate`] to judge: what the
-/// search says alone counts for nothing. `None`: no proof was found.
+/// search says alone counts for nothing. `None`: no proof was found. (Of 7.4 (ii) it is the direction
+/// from the sum to the targets; `cordon prove 7.4ii-if` has the other.)
 ///
 /// ```
 /// use cordon::{CertificateVerdict, Form, Theorem};
@@ -177,15 +177,10 @@ pub fn refute(
 /// assert!(!matches!(cordon::check_certificate(&forged), CertificateVerdict::Valid { .. }));
 /// ```
 pub fn prove(theorem: Theorem, form: Form) -> Option<String> {
-    let claim = Claim::all().into_iter().find(|c| c.has_forms() && c.theorem == Some(theorem))?;
-    match cordon_proof::prove::prove(
-        &claim,
-        &Scope { form, weights: None, drones: None },
-        Effort::default(),
-    ) {
-        Found::Certificate(certificate) => Some(certificate.to_string()),
-        Found::Nothing(_) => None,
-    }
+    let claim = CLAIMS.iter().find(|c| c.name == theorem.number())?;
+    let certificate = claim.prove(&Scope { form, weights: None, drones: None })?.to_string();
+    matches!(check_certificate(&certificate), CertificateVerdict::Valid { .. })
+        .then_some(certificate)
 }
 
 /// What the independent checker says of the text of a certificate.

@@ -73,8 +73,11 @@ fn known_positions_are_among_them() {
     }
 }
 
+/// Definitions by the file that they stand in.
+type Items = &'static [(&'static str, &'static [&'static str])];
+
 /// Which kind of vectors evaluates a definition of the spec, itself or on the way.
-const EVALUATED: &[(&str, &[(&str, &[&str])])] = &[
+const EVALUATED: &[(&str, Items)] = &[
     (
         "coverage",
         &[
@@ -164,7 +167,7 @@ const EVALUATED: &[(&str, &[(&str, &[&str])])] = &[
 ];
 
 /// Twins that no vector evaluates, and why.
-const PROVED_INSTEAD: &[(&str, &[&str])] = &[
+const PROVED_INSTEAD: Items = &[
     // `sharp_conclusions`, `paper_conclusions` and `conclusion_for_ever` are about these.
     ("theorems/mod.rs", &["Form", "Theorem", "hypothesis", "span", "conclusion"]),
     ("theorems/hypothesis.rs", &["met_by"]),

@@ -19,6 +19,7 @@ use tempfile::TempDir;
 use xtask::verify::matrix::{Cell, collect};
 use xtask::verify::record::Records;
 use xtask::verify::show::json;
+use xtask::verify::sources;
 use xtask::verify::{Context, NAMES, Status, Tier, Verdict, tiers};
 
 // ---- a repository with tools of its own
@@ -463,4 +464,23 @@ fn bad_input_is_named() {
         let error = repo.error(&["7.2", "--tiers", "rocq"]);
         assert!(error.contains(said), "{text}: {error}");
     }
+}
+
+/// What the repository's records say was found by provers was found of the sources beside them.
+#[test]
+fn committed_records_of_provers_are_fresh() {
+    let root = common::root();
+    let records = Records::read(root).unwrap();
+    let mut compared = 0;
+    for tier in tiers(Context { root, run: &[] }) {
+        if !["rocq", "lean"].contains(&tier.name()) {
+            continue;
+        }
+        let record = records.of(tier.name()).unwrap();
+        let hash = sources::hash(root, tier.sources()).unwrap();
+        let name = tier.name();
+        assert_eq!(record.sources, hash, "stale: `cargo xtask verify --record {name}`");
+        compared += 1;
+    }
+    assert_eq!(compared, 2);
 }

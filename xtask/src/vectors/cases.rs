@@ -220,7 +220,7 @@ fn of_count(count: usize) -> Vec<Vector> {
     }
     for id in [0, 1, count - 1] {
         let heard = [scattered(0), scattered(1), scattered(2)];
-        all.push(kinds::alone(&format!("alone{count}_{id}"), &p, count, heard, id, 7));
+        all.push(kinds::alone(&format!("alone{count}_{id}"), &p, count, heard, id, 6));
     }
     all.push(kinds::quantities(&format!("quantities{count}"), &p, mixed.clone()));
     let after = (0..count).map(scattered).collect();

@@ -7,7 +7,7 @@ use sha2::{Digest, Sha256};
 use cordon_core::{Error, Result};
 
 /// Endings of files that say something; what tools build beside them does not.
-const ENDINGS: [&str; 9] = ["rs", "toml", "v", "tsv", "txt", "sh", "lean", "json", "pvs"];
+const ENDINGS: [&str; 10] = ["rs", "toml", "v", "tsv", "txt", "sh", "awk", "lean", "json", "pvs"];
 
 /// Files without ending that say something.
 const NAMES: [&str; 2] = ["_CoqProject", "lean-toolchain"];

@@ -1,10 +1,9 @@
 //! Which engine does the work.
 
 use super::answer::Answer;
-use super::growth::log2_above;
 use super::line::Line;
 use super::multiply::Multiply;
-use super::{jump, step};
+use super::{cost, jump, step};
 use cordon_core::Result;
 
 /// How the exact positions are computed.
@@ -46,24 +45,15 @@ pub fn positions(line: &Line, steps: &[u64], engine: Engine) -> Result<Vec<Answe
     }
 }
 
-/// Limb operations of a jump for every limb of the answer, beside its convolution with the
-/// start: measured, and rounded up.
-const JUMP_COST: f64 = 600.0;
-
 fn last(steps: &[u64]) -> u64 {
     steps.iter().copied().max().unwrap_or(0)
 }
 
 /// Whether jumping to each of `steps` is expected to be faster than stepping to the `last`.
 pub fn jump_is_faster(line: &Line, last: u64, steps: impl IntoIterator<Item = u64>) -> bool {
-    let limbs = log2_above(&line.growth()) / 64.0;
-    let drones = line.count() as f64;
-    let last = last as f64;
-    let stepping = drones * last * (last * limbs / 2.0 + 1.0);
-    let mut left = stepping;
+    let mut left = cost::stepping(line, last);
     steps.into_iter().all(|k| {
-        let long = k as f64 * limbs + 1.0;
-        left -= drones * long * (JUMP_COST + drones.min(2.0 * k as f64 + 1.0));
+        left -= cost::jumping(line, k);
         left > 0.0
     })
 }

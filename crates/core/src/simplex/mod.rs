@@ -26,6 +26,9 @@ pub enum Solution {
     Unbounded,
 }
 
+/// A coefficient and the variable that it belongs to.
+pub type Term = (usize, Rational);
+
 /// Maximises `objective . x` over all `x >= 0` with `equations x = constants`.
 ///
 /// Each equation has one coefficient a variable; missing ones at its end count as 0. An
@@ -37,15 +40,28 @@ pub fn maximise(
     constants: &[Rational],
 ) -> Solution {
     let count = objective.len();
-    let mut tableau = Tableau::new(count, equations, constants);
-    let cost = tableau.phase_one_cost();
-    // The sum of the artificial variables is bounded below by 0.
-    let _ = tableau.descend(cost);
-    if !tableau.drop_artificial() {
-        return Solution::Infeasible;
-    }
-    let cost = tableau.reduced(objective);
-    if tableau.descend(cost) { Solution::Optimal(tableau.point()) } else { Solution::Unbounded }
+    let row = |(equation, constant): (&Vec<Rational>, &Rational)| {
+        Row::integral(equation.iter().take(count).enumerate().chain([(count, constant)]))
+    };
+    let rows = equations.iter().zip(constants).map(row).collect();
+    solved(count, Row::integral(objective.iter().enumerate()), rows)
+}
+
+/// As [`maximise`], for `count` variables and equations that name few of them: each with its
+/// terms, in any order, no variable twice, and its constant.
+pub fn maximise_sparse(
+    count: usize,
+    objective: &[Term],
+    equations: &[(&[Term], &Rational)],
+) -> Solution {
+    let row = |&(terms, constant): &(&[Term], &Rational)| {
+        Row::integral(entries(terms).chain([(count, constant)]))
+    };
+    solved(count, Row::integral(entries(objective)), equations.iter().map(row).collect())
+}
+
+fn entries(terms: &[Term]) -> impl Iterator<Item = (usize, &Rational)> {
+    terms.iter().map(|(j, x)| (*j, x))
 }
 
 /// A point `x >= 0` with `equations x = constants`, if there is one.
@@ -60,6 +76,19 @@ pub fn feasible(
     }
 }
 
+/// The program with this objective and these equations, the constants in column `count`.
+fn solved(count: usize, objective: Row, rows: Vec<Row>) -> Solution {
+    let mut tableau = Tableau::new(count, rows);
+    let cost = tableau.phase_one_cost();
+    // The sum of the artificial variables is bounded below by 0.
+    let _ = tableau.descend(cost);
+    if !tableau.drop_artificial() {
+        return Solution::Infeasible;
+    }
+    let cost = tableau.reduced(objective);
+    if tableau.descend(cost) { Solution::Optimal(tableau.point()) } else { Solution::Unbounded }
+}
+
 /// The rows hold the coefficients in the variables' columns and the constant in column `count`.
 struct Tableau {
     /// Number of variables proper.
@@ -71,16 +100,10 @@ struct Tableau {
 }
 
 impl Tableau {
-    fn new(count: usize, equations: &[Vec<Rational>], constants: &[Rational]) -> Self {
-        let row = |(equation, constant): (&Vec<Rational>, &Rational)| {
-            let coefficients = equation.iter().take(count).enumerate();
-            let mut row = Row::integral(coefficients.chain([(count, constant)]));
-            if row.at(count).is_negative() {
-                row.negate();
-            }
-            row
-        };
-        let rows: Vec<Row> = equations.iter().zip(constants).map(row).collect();
+    fn new(count: usize, mut rows: Vec<Row>) -> Self {
+        for row in rows.iter_mut().filter(|row| row.at(count).is_negative()) {
+            row.negate();
+        }
         let basis = (0..rows.len()).map(|i| count + i).collect();
         Self { count, rows, basis }
     }
@@ -95,8 +118,8 @@ impl Tableau {
     }
 
     /// The cost row of "minimise `-objective . x`", basic variables eliminated.
-    fn reduced(&self, objective: &[Rational]) -> Row {
-        let mut cost = Row::integral(objective.iter().enumerate());
+    fn reduced(&self, objective: Row) -> Row {
+        let mut cost = objective;
         cost.negate();
         for (row, &basic) in self.rows.iter().zip(&self.basis) {
             cost.eliminate(row, basic);

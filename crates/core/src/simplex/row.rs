@@ -17,10 +17,11 @@ pub(super) struct Row {
 const ZERO: &Int = &Int::Small(0);
 
 impl Row {
-    /// The row with these entries, in ascending columns, times the positive number that makes
-    /// it integral without common divisor.
+    /// The row with these entries, times the positive number that makes it integral without
+    /// common divisor.
     pub fn integral<'x>(entries: impl Iterator<Item = (usize, &'x Rational)>) -> Self {
-        let entries: Vec<_> = entries.filter(|(_, x)| !x.is_zero()).collect();
+        let mut entries: Vec<_> = entries.filter(|(_, x)| !x.is_zero()).collect();
+        entries.sort_by_key(|(j, _)| *j);
         let one = BigInt::one();
         let common = entries.iter().fold(one, |lcm, (_, x)| lcm.lcm(x.denom()));
         let scaled = |(j, x): (usize, &Rational)| (j, Int::from(x.numer() * (&common / x.denom())));

@@ -5,7 +5,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::affine::Affine;
 use crate::Rational;
-use crate::simplex::{Solution, feasible, maximise};
+use crate::simplex::{Solution, Term, maximise_sparse};
 
 /// What is demanded of a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,32 +44,30 @@ pub fn point(variables: usize, constraints: &[Constraint]) -> Option<Vec<Rationa
     // Columns: positive and negative part of every variable, the margin of the strict ones,
     // the slack of the margin's bound 1, the slacks of the inequalities.
     let (margin, slacks) = (2 * variables, 2 * variables + 2);
-    let width = slacks + constraints.len();
-    let mut rows = Vec::new();
+    let one = Rational::one();
+    let mut rows: Vec<Vec<Term>> = Vec::new();
     let mut constants = Vec::new();
     for (i, c) in constraints.iter().enumerate() {
         let (constant, coefficients) = c.form.parts()?;
-        let mut row = vec![Rational::zero(); width];
-        for (j, a) in coefficients.iter().enumerate() {
-            *row.get_mut(j)? = a.clone();
-            *row.get_mut(variables + j)? = -a;
+        if coefficients.len() > variables {
+            return None;
         }
+        let parts = |(j, a): (usize, &Rational)| [(j, a.clone()), (variables + j, -a)];
+        let mut row: Vec<Term> = coefficients.iter().enumerate().flat_map(parts).collect();
         if c.sign != Sign::Zero {
-            row[slacks + i] = -Rational::one();
+            row.push((slacks + i, -one.clone()));
         }
         if c.sign == Sign::Positive {
-            row[margin] = -Rational::one();
+            row.push((margin, -one.clone()));
         }
         rows.push(row);
         constants.push(-constant);
     }
-    let mut bound = vec![Rational::zero(); margin];
-    bound.extend([Rational::one(), Rational::one()]);
-    rows.push(bound);
-    constants.push(Rational::one());
-    let mut objective = vec![Rational::zero(); width];
-    objective[margin] = Rational::one();
-    let Solution::Optimal(x) = maximise(&objective, &rows, &constants) else {
+    rows.push(vec![(margin, one.clone()), (margin + 1, one.clone())]);
+    constants.push(one.clone());
+    let equations: Vec<_> = rows.iter().map(Vec::as_slice).zip(&constants).collect();
+    let width = slacks + constraints.len();
+    let Solution::Optimal(x) = maximise_sparse(width, &[(margin, one)], &equations) else {
         return None;
     };
     let found: Vec<Rational> = (0..variables).map(|j| &x[j] - &x[variables + j]).collect();
@@ -78,73 +76,78 @@ pub fn point(variables: usize, constraints: &[Constraint]) -> Option<Vec<Rationa
     constraints.iter().all(met).then_some(found)
 }
 
-/// Multipliers m that show `goal` (`> 0` or `>= 0`) to follow from `given`:
-/// `goal = sum of m_i given_i + rest`, with m_i >= 0 (of either sign for equations), a constant
-/// rest >= 0, and for a strict goal the rest > 0 or some m_i > 0 of a strict constraint.
-/// `None` where there are none; if `given` can be met at all, the goal then fails somewhere.
-pub fn multipliers(given: &[Constraint], goal: &Constraint) -> Option<Vec<Rational>> {
-    let (goal_constant, goal_coefficients) = goal.form.parts()?;
-    let mut variables = goal_coefficients.len();
-    for c in given {
-        variables = variables.max(c.form.parts()?.1.len());
-    }
-    // Columns: one a constraint, the negative parts for the equations, the rest.
-    let equations: Vec<usize> = (0..given.len()).filter(|&i| given[i].sign == Sign::Zero).collect();
-    let rest = given.len() + equations.len();
-    let mut rows = vec![vec![Rational::zero(); rest + 1]; variables + 1];
-    for (i, c) in given.iter().enumerate() {
-        let (constant, coefficients) = c.form.parts()?;
-        let entries = coefficients.iter().enumerate().chain([(variables, constant)]);
-        for (j, a) in entries {
-            rows[j][i] = a.clone();
-            if let Ok(place) = equations.binary_search(&i) {
-                rows[j][given.len() + place] = -a;
-            }
-        }
-    }
-    rows[variables][rest] = Rational::one();
-    let mut constants: Vec<Rational> = goal_coefficients.to_vec();
-    constants.resize(variables, Rational::zero());
-    constants.push(goal_constant.clone());
-    let solution = if goal.sign == Sign::Positive {
-        let strict = |i: usize| given.get(i).is_some_and(|c| c.sign == Sign::Positive) || i == rest;
-        let objective: Vec<Rational> = (0..=rest)
-            .map(|i| if strict(i) { Rational::one() } else { Rational::zero() })
-            .collect();
-        strictly(&objective, rows, constants)?
-    } else {
-        feasible(rest + 1, &rows, &constants)?
-    };
-    let mut m: Vec<Rational> = solution.get(..given.len())?.to_vec();
-    for (place, &i) in equations.iter().enumerate() {
-        m[i] -= solution.get(given.len() + place)?;
-    }
-    Some(m)
+/// Constraints from which others may follow.
+#[derive(Clone, Debug)]
+pub struct Premises<'g> {
+    given: &'g [Constraint],
+    /// The given equations: their multipliers may have either sign.
+    equations: Vec<usize>,
+    /// For each variable, and last for the constant: the coefficients that the premises have
+    /// there, by the columns of their multipliers.
+    rows: Vec<Vec<Term>>,
 }
 
-/// A solution with `objective . x > 0`.
-fn strictly(
-    objective: &[Rational],
-    mut rows: Vec<Vec<Rational>>,
-    mut constants: Vec<Rational>,
-) -> Option<Vec<Rational>> {
-    // Capped at 1, so that there is an optimum.
-    let width = objective.len();
-    for row in &mut rows {
-        row.resize(width + 3, Rational::zero());
+impl<'g> Premises<'g> {
+    /// The constraints `given`; `None` where a form is not affine.
+    pub fn new(given: &'g [Constraint]) -> Option<Self> {
+        let is_equation = |&i: &usize| given[i].sign == Sign::Zero;
+        let equations: Vec<usize> = (0..given.len()).filter(is_equation).collect();
+        let parts = given.iter().map(|c| c.form.parts()).collect::<Option<Vec<_>>>()?;
+        let variables = parts.iter().map(|(_, c)| c.len()).max().unwrap_or(0);
+        // Columns: one a constraint, the negative parts for the equations, the rest.
+        let mut rows = vec![Vec::new(); variables + 1];
+        for (i, (constant, coefficients)) in parts.into_iter().enumerate() {
+            let negative = equations.binary_search(&i).ok().map(|place| given.len() + place);
+            let entries = coefficients.iter().enumerate().chain([(variables, constant)]);
+            for (j, a) in entries.filter(|(_, a)| !a.is_zero()) {
+                rows[j].push((i, a.clone()));
+                rows[j].extend(negative.map(|column| (column, -a)));
+            }
+        }
+        rows[variables].push((given.len() + equations.len(), Rational::one()));
+        Some(Self { given, equations, rows })
     }
-    let one = Rational::one();
-    // objective . x = reached + excess, reached + slack = 1.
-    let mut total = objective.to_vec();
-    total.extend([-one.clone(), -one.clone(), Rational::zero()]);
-    let mut cap = vec![Rational::zero(); width];
-    cap.extend([one.clone(), Rational::zero(), one.clone()]);
-    rows.extend([total, cap]);
-    constants.extend([Rational::zero(), one.clone()]);
-    let mut wanted = vec![Rational::zero(); width + 3];
-    wanted[width] = one;
-    match maximise(&wanted, &rows, &constants) {
-        Solution::Optimal(x) if x[width].is_positive() => Some(x),
-        _ => None,
+
+    /// Multipliers m that show `goal` (`> 0` or `>= 0`) to follow from the premises (Farkas):
+    /// `goal = sum of m_i given_i + rest`, with m_i >= 0 (of either sign for equations), a
+    /// constant rest >= 0, and for a strict goal the rest > 0 or some m_i > 0 of a strict
+    /// constraint. `None` where there are none; if the premises can be met at all, the goal then
+    /// fails somewhere.
+    pub fn multipliers(&self, goal: &Constraint) -> Option<Vec<Rational>> {
+        let (goal_constant, coefficients) = goal.form.parts()?;
+        let (last, rows) = self.rows.split_last()?;
+        if coefficients.len() > rows.len() {
+            // A variable that no premise names.
+            return None;
+        }
+        let (zero, one) = (Rational::zero(), Rational::one());
+        let wanted = (0..rows.len()).map(|j| coefficients.get(j).unwrap_or(&zero));
+        let mut equations: Vec<_> = rows.iter().map(Vec::as_slice).zip(wanted).collect();
+        equations.push((last, goal_constant));
+        let rest = self.given.len() + self.equations.len();
+        let solution = if goal.sign == Sign::Positive {
+            // What makes the goal strict is maximised, and capped at 1, so that there is an
+            // optimum: total = reached + excess, reached + slack = 1.
+            let strict = (0..self.given.len()).filter(|&i| self.given[i].sign == Sign::Positive);
+            let [reached, excess, slack] = [rest + 1, rest + 2, rest + 3];
+            let mut total: Vec<Term> = strict.chain([rest]).map(|i| (i, one.clone())).collect();
+            total.extend([(reached, -one.clone()), (excess, -one.clone())]);
+            let cap = [(reached, one.clone()), (slack, one.clone())];
+            equations.extend([(total.as_slice(), &zero), (&cap, &one)]);
+            match maximise_sparse(rest + 4, &[(reached, one.clone())], &equations) {
+                Solution::Optimal(x) if x[reached].is_positive() => x,
+                _ => return None,
+            }
+        } else {
+            match maximise_sparse(rest + 1, &[], &equations) {
+                Solution::Optimal(x) => x,
+                _ => return None,
+            }
+        };
+        let mut m: Vec<Rational> = solution.get(..self.given.len())?.to_vec();
+        for (place, &i) in self.equations.iter().enumerate() {
+            m[i] -= solution.get(self.given.len() + place)?;
+        }
+        Some(m)
     }
 }

@@ -12,7 +12,7 @@ use super::{OwnProtocol, inequalities};
 use crate::certificate::{self, HalfSpace};
 use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
-use cordon_core::linear::feasible::{Constraint, Sign, multipliers, point};
+use cordon_core::linear::feasible::{Constraint, Premises, Sign, point};
 
 /// Claims about the next so many steps are tried as part of the invariant.
 const LOOK_AHEAD: usize = 4;
@@ -44,6 +44,7 @@ pub fn prove(protocol: &OwnProtocol) -> Option<InductiveProof> {
         claims.iter().flat_map(|c| inequalities(&c.about(at))).collect()
     };
     let starts = constraints(&protocol.starts, &x);
+    let assumed = Premises::new(&starts)?;
     // The first attempt is the claims alone: the shortest certificate.
     let mut pool: Vec<Constraint> = Vec::new();
     let mut ahead = x.clone();
@@ -58,7 +59,7 @@ pub fn prove(protocol: &OwnProtocol) -> Option<InductiveProof> {
             }
         }
         // What does not hold of every start is no invariant; a claim that does not is false.
-        let holds_of_start = |c: &Constraint| multipliers(&starts, c).is_some();
+        let holds_of_start = |c: &Constraint| assumed.multipliers(c).is_some();
         if !pool.iter().take(claimed).all(holds_of_start) {
             return None;
         }
@@ -89,11 +90,12 @@ fn kept(
     let x = protocol.variables();
     loop {
         let mut proofs: Vec<Vec<Option<Vec<Rational>>>> = Vec::new();
+        let premises = Premises::new(&pool)?;
         for eps in weights {
             let next = protocol.step_forms(eps, &x);
             let after =
                 |c: &Constraint| Constraint { form: substituted(&c.form, &next), ..c.clone() };
-            let rows = pool.iter().map(|c| multipliers(&pool, &after(c)));
+            let rows = pool.iter().map(|c| premises.multipliers(&after(c)));
             proofs.push(rows.collect());
         }
         let failed: Vec<bool> =

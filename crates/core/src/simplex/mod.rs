@@ -1,14 +1,19 @@
 //! Linear programs over the rationals, solved exactly.
 //!
-//! Two-phase primal simplex with Bland's rule, which ends on every input. Fraction-free: each
-//! row of the tableau is a vector of integers without common divisor, known up to a positive
-//! factor, which changes neither a sign nor a ratio.
+//! Two-phase primal simplex with Bland's rule, which ends on every input. Fraction-free: the rows
+//! of the tableau are sparse vectors of integers, known up to a positive factor, which changes
+//! neither a sign nor a ratio. The integers are machine words as long as they fit one.
 
-use num_bigint::BigInt;
-use num_integer::Integer;
-use num_traits::{One, Signed, Zero};
+mod int;
+mod row;
+
+use std::cmp::Ordering;
+
+use num_traits::Zero;
 
 use crate::Rational;
+use int::Int;
+use row::Row;
 
 /// How a linear program ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,6 +26,9 @@ pub enum Solution {
     Unbounded,
 }
 
+/// A coefficient and the variable that it belongs to.
+pub type Term = (usize, Rational);
+
 /// Maximises `objective . x` over all `x >= 0` with `equations x = constants`.
 ///
 /// Each equation has one coefficient a variable; missing ones at its end count as 0. An
@@ -32,15 +40,28 @@ pub fn maximise(
     constants: &[Rational],
 ) -> Solution {
     let count = objective.len();
-    let mut tableau = Tableau::new(count, equations, constants);
-    let cost = tableau.phase_one_cost();
-    // The sum of the artificial variables is bounded below by 0.
-    let _ = tableau.descend(cost);
-    if !tableau.drop_artificial() {
-        return Solution::Infeasible;
-    }
-    let cost = tableau.reduced(objective);
-    if tableau.descend(cost) { Solution::Optimal(tableau.point()) } else { Solution::Unbounded }
+    let row = |(equation, constant): (&Vec<Rational>, &Rational)| {
+        Row::integral(equation.iter().take(count).enumerate().chain([(count, constant)]))
+    };
+    let rows = equations.iter().zip(constants).map(row).collect();
+    solved(count, Row::integral(objective.iter().enumerate()), rows)
+}
+
+/// As [`maximise`], for `count` variables and equations that name few of them: each with its
+/// terms, in any order, no variable twice, and its constant.
+pub fn maximise_sparse(
+    count: usize,
+    objective: &[Term],
+    equations: &[(&[Term], &Rational)],
+) -> Solution {
+    let row = |&(terms, constant): &(&[Term], &Rational)| {
+        Row::integral(entries(terms).chain([(count, constant)]))
+    };
+    solved(count, Row::integral(entries(objective)), equations.iter().map(row).collect())
+}
+
+fn entries(terms: &[Term]) -> impl Iterator<Item = (usize, &Rational)> {
+    terms.iter().map(|(j, x)| (*j, x))
 }
 
 /// A point `x >= 0` with `equations x = constants`, if there is one.
@@ -55,9 +76,20 @@ pub fn feasible(
     }
 }
 
-/// One row: the coefficients, then the constant.
-type Row = Vec<BigInt>;
+/// The program with this objective and these equations, the constants in column `count`.
+fn solved(count: usize, objective: Row, rows: Vec<Row>) -> Solution {
+    let mut tableau = Tableau::new(count, rows);
+    let cost = tableau.phase_one_cost();
+    // The sum of the artificial variables is bounded below by 0.
+    let _ = tableau.descend(cost);
+    if !tableau.drop_artificial() {
+        return Solution::Infeasible;
+    }
+    let cost = tableau.reduced(objective);
+    if tableau.descend(cost) { Solution::Optimal(tableau.point()) } else { Solution::Unbounded }
+}
 
+/// The rows hold the coefficients in the variables' columns and the constant in column `count`.
 struct Tableau {
     /// Number of variables proper.
     count: usize,
@@ -68,79 +100,74 @@ struct Tableau {
 }
 
 impl Tableau {
-    fn new(count: usize, equations: &[Vec<Rational>], constants: &[Rational]) -> Self {
-        let rows: Vec<Row> = equations
-            .iter()
-            .zip(constants)
-            .map(|(equation, constant)| {
-                let coefficients =
-                    (0..count).map(|j| equation.get(j).cloned().unwrap_or_else(Rational::zero));
-                let mut row = integral(coefficients.chain([constant.clone()]).collect());
-                if row.last().is_some_and(Signed::is_negative) {
-                    row.iter_mut().for_each(|x| *x = -&*x);
-                }
-                row
-            })
-            .collect();
+    fn new(count: usize, mut rows: Vec<Row>) -> Self {
+        for row in rows.iter_mut().filter(|row| row.at(count).is_negative()) {
+            row.negate();
+        }
         let basis = (0..rows.len()).map(|i| count + i).collect();
         Self { count, rows, basis }
     }
 
     /// The cost row of "minimise the sum of the artificial variables".
     fn phase_one_cost(&self) -> Row {
-        let mut cost = vec![BigInt::zero(); self.count + 1];
+        let mut cost = Row::default();
         for row in &self.rows {
-            cost.iter_mut().zip(row).for_each(|(c, x)| *c -= x);
+            cost.combine(&Int::Small(1), row, &Int::Small(1));
         }
         cost
     }
 
     /// The cost row of "minimise `-objective . x`", basic variables eliminated.
-    fn reduced(&self, objective: &[Rational]) -> Row {
-        let negated = objective.iter().map(|c| -c).chain([Rational::zero()]);
-        let mut cost = integral(negated.collect());
+    fn reduced(&self, objective: Row) -> Row {
+        let mut cost = objective;
+        cost.negate();
         for (row, &basic) in self.rows.iter().zip(&self.basis) {
-            eliminate(&mut cost, row, basic);
+            cost.eliminate(row, basic);
         }
         cost
     }
 
     /// Pivots until no column lowers the cost; false if the cost has no lower bound.
     fn descend(&mut self, mut cost: Row) -> bool {
-        while let Some(entering) = (0..self.count).find(|&j| cost[j].is_negative()) {
+        while let Some(entering) = cost.first_negative(self.count) {
             let Some(leaving) = self.leaving(entering) else {
                 return false;
             };
             self.pivot(leaving, entering);
-            eliminate(&mut cost, &self.rows[leaving], entering);
+            cost.eliminate(&self.rows[leaving], entering);
         }
         true
     }
 
     /// The row that limits the entering variable first; the smallest basic variable in a tie.
     fn leaving(&self, entering: usize) -> Option<usize> {
-        let mut best: Option<usize> = None;
-        for (i, row) in self.rows.iter().enumerate().filter(|(_, r)| r[entering].is_positive()) {
-            let better = best.is_none_or(|b| {
-                let other = &self.rows[b];
-                let (mine, theirs) =
-                    (&row[self.count] * &other[entering], &other[self.count] * &row[entering]);
-                mine < theirs || (mine == theirs && self.basis[i] < self.basis[b])
+        let mut best: Option<(usize, &Int, &Int)> = None;
+        for (i, row) in self.rows.iter().enumerate() {
+            let pivot = row.at(entering);
+            if !pivot.is_positive() {
+                continue;
+            }
+            let constant = row.at(self.count);
+            let better = best.is_none_or(|(b, other_constant, other_pivot)| {
+                match Int::compare_products(constant, other_pivot, other_constant, pivot) {
+                    Ordering::Less => true,
+                    Ordering::Equal => self.basis[i] < self.basis[b],
+                    Ordering::Greater => false,
+                }
             });
             if better {
-                best = Some(i);
+                best = Some((i, constant, pivot));
             }
         }
-        best
+        best.map(|(i, ..)| i)
     }
 
     fn pivot(&mut self, leaving: usize, entering: usize) {
-        let pivot_row = self.rows[leaving].clone();
-        for (i, row) in self.rows.iter_mut().enumerate() {
-            if i != leaving {
-                eliminate(row, &pivot_row, entering);
-            }
+        let pivot_row = std::mem::take(&mut self.rows[leaving]);
+        for row in &mut self.rows {
+            row.eliminate(&pivot_row, entering);
         }
+        self.rows[leaving] = pivot_row;
         self.basis[leaving] = entering;
     }
 
@@ -153,14 +180,15 @@ impl Tableau {
                 i += 1;
                 continue;
             }
-            if !self.rows[i][self.count].is_zero() {
+            if !self.rows[i].at(self.count).is_zero() {
                 return false;
             }
-            match (0..self.count).find(|&j| !self.rows[i][j].is_zero()) {
-                Some(entering) => {
-                    if self.rows[i][entering].is_negative() {
+            let entry = self.rows[i].entries().next().map(|(j, x)| (j, x.is_negative()));
+            match entry {
+                Some((entering, negative)) => {
+                    if negative {
                         // The constant is 0: the row may be negated.
-                        self.rows[i].iter_mut().for_each(|x| *x = -&*x);
+                        self.rows[i].negate();
                     }
                     self.pivot(i, entering);
                     i += 1;
@@ -177,54 +205,17 @@ impl Tableau {
     fn point(&self) -> Vec<Rational> {
         let mut x = vec![Rational::zero(); self.count];
         for (row, &basic) in self.rows.iter().zip(&self.basis) {
-            x[basic] = Rational::new(row[self.count].clone(), row[basic].clone());
+            x[basic] = Rational::new(row.at(self.count).to_big(), row.at(basic).to_big());
         }
         x
     }
 }
 
-/// Adds the multiple of `pivot_row` to `row` that clears column `entering`, where the pivot is
-/// positive, and divides by the common divisor.
-fn eliminate(row: &mut Row, pivot_row: &Row, entering: usize) {
-    if row[entering].is_zero() {
-        return;
-    }
-    let (pivot, factor) = (pivot_row[entering].clone(), row[entering].clone());
-    for (x, y) in row.iter_mut().zip(pivot_row) {
-        if !x.is_zero() {
-            *x *= &pivot;
-        }
-        if !y.is_zero() {
-            *x -= &factor * y;
-        }
-    }
-    reduce(row);
-}
-
-fn reduce(row: &mut Row) {
-    let mut divisor = BigInt::zero();
-    for x in row.iter().filter(|x| !x.is_zero()) {
-        divisor = divisor.gcd(x);
-        if divisor.is_one() {
-            return;
-        }
-    }
-    if !divisor.is_zero() {
-        row.iter_mut().for_each(|x| *x /= &divisor);
-    }
-}
-
-/// The row times the positive number that makes it integral without common divisor.
-fn integral(row: Vec<Rational>) -> Row {
-    let common = row.iter().fold(BigInt::one(), |lcm, x| lcm.lcm(x.denom()));
-    let mut row: Row = row.iter().map(|x| x.numer() * (&common / x.denom())).collect();
-    reduce(&mut row);
-    row
-}
-
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, clippy::panic)]
+
+    use num_traits::Signed;
 
     use super::*;
 

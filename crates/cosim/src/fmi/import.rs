@@ -48,7 +48,7 @@ pub fn substitute(
 ) -> Result<Box<dyn Unit>> {
     let fmu = Fmu::open(&substitute.fmu)?;
     fmu.binary()?;
-    let map = adapter::map(unit.as_ref(), &fmu, &substitute.names)?;
+    let map = adapter::map(unit.as_ref(), &fmu, substitute)?;
     load(isolation, fmu, unit.as_ref(), map)
 }
 

@@ -83,7 +83,7 @@ fn load(
 fn load(_: &Isolation, fmu: Fmu, unit: &dyn Unit, _: adapter::Map) -> Result<Box<dyn Unit>> {
     Err(Error::input(format!(
         "unit `{}`: `{}`: this program was built without the means to run FMUs: \
-         build it with `cargo build --release --features fmi-import`",
+         build it with the feature `fmi-import`, which is on by default",
         unit.name(),
         fmu.path.display()
     )))

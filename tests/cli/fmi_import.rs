@@ -1,5 +1,6 @@
-//! FMUs in the place of units: `cargo test --features fmi-import --test cli fmi_import`.
+//! FMUs in the place of units.
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 
 use crate::common::run;
@@ -83,13 +84,25 @@ fn a_plant_of_another_tool_flies_among_ours() {
         .output()
         .unwrap();
     assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
-    let text = format!("{START}[[unit]]\ndrone = 0\nunit = \"plant\"\nfmu = \"Glider.fmu\"\n");
+    // Several at once, of which each wants its process to have one Python.
+    let glider = |drone: usize| {
+        format!("[[unit]]\ndrone = {drone}\nunit = \"plant\"\nfmu = \"Glider.fmu\"\n")
+    };
+    let text = format!("{START}{}{}{}", glider(0), glider(1), glider(2));
     fs::write(dir.path().join("s.toml"), text).unwrap();
-    let csv = dir.path().join("out.csv");
+    for mode in [&[][..], &["--in-process"]] {
+        glides(&library, dir.path(), mode);
+    }
+}
+
+/// Flies the scenario; drone 0 glides, and drone 3 flies on.
+fn glides(library: &str, dir: &Path, mode: &[&str]) {
+    let csv = dir.join("out.csv");
     let flown = crate::common::cordon()
         .env("LD_PRELOAD", library)
         .arg("cosim")
-        .arg(dir.path().join("s.toml"))
+        .arg(dir.join("s.toml"))
+        .args(mode)
         .args(["--duration", "1", "--out"])
         .arg(&csv)
         .output()

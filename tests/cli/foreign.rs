@@ -461,6 +461,100 @@ fn nothing_is_left_where_the_program_is_killed() {
     });
 }
 
+/// A project as the INTO-CPS application lays it out, with a plant of another tool whose variables
+/// have other names: the connections tell which are which.
+#[test]
+fn a_multi_model_with_a_foreign_plant_its_configuration_and_uris_flies() {
+    crate::common::fmu_binary();
+    let bench = Bench::new();
+    let project = bench.path("my project");
+    let (exported, models) = (bench.path("exported"), project.join("Multi-models/mm"));
+    fs::create_dir_all(models.join("co-sim")).unwrap();
+    fs::create_dir_all(project.join("FMUs")).unwrap();
+    let export = ["export", "into-cps", "scenarios/paper.toml", "--duration", "2", "--out"];
+    let args = [&export[..], &[exported.to_str().unwrap()]].concat();
+    assert_eq!(run(&args).0, 0);
+    let text = fs::read_to_string(exported.join("multi-model.json")).unwrap();
+    let mut model: serde_json::Value = serde_json::from_str(&text).unwrap();
+    for (place, file) in ["coordination_double", "control", "plant"].iter().enumerate() {
+        let name = format!("cordon_{file}.fmu");
+        fs::rename(exported.join(&name), project.join("FMUs").join(&name)).unwrap();
+        // By its name, by URIs with three and four slashes.
+        let path = project.join("FMUs").join(&name).display().to_string().replace(' ', "%20");
+        let uri = [name, format!("file://{path}"), format!("file:///{path}")][place].clone();
+        model["fmus"][format!("{{cordon_{file}}}")] = uri.into();
+    }
+    // Drone 2 gets the other plant.
+    let mut description = Description::of("2.0");
+    let renamed = |d: &Description| {
+        d.text().replace("name=\"x\"", "name=\"pos.x\"").replace("name=\"w1\"", "name=\"front\"")
+    };
+    description.head.clear();
+    let library = bench.library("EARLY_ONLY", "2.0", &[]);
+    let xml = renamed(&description);
+    let files: [(&str, &[u8]); 2] =
+        [("modelDescription.xml", xml.as_bytes()), ("binaries/linux64/plant.so", &library)];
+    bench.archive("my project/FMUs/other.fmu", &files);
+    let text = serde_json::to_string(&model).unwrap();
+    let text = text
+        .replace("{cordon_plant}.plant2.x\"", "{other}.plant2.pos.x\"")
+        .replace("{cordon_plant}.plant2.w1\"", "{other}.plant2.front\"")
+        .replace("{cordon_plant}.plant2", "{other}.plant2");
+    let mut model: serde_json::Value = serde_json::from_str(&text).unwrap();
+    model["fmus"]["{other}"] = "other.fmu".into();
+    model["parameters"]["{other}.plant2.x0"] = 17.5.into();
+    let mut configuration = serde_json::json!({ "multimodel_path": "Multi-models/mm/mm.json" });
+    for key in ["algorithm", "endTime", "startTime"] {
+        configuration[key] = model[key].take();
+        model.as_object_mut().unwrap().remove(key);
+    }
+    fs::write(models.join("mm.json"), model.to_string()).unwrap();
+    let coe = models.join("co-sim/co-sim.coe.json");
+    fs::write(&coe, configuration.to_string()).unwrap();
+    let flown = bench.fly_scenario(coe.to_str().unwrap(), &[]);
+    assert_eq!(flown.code, 0, "{}", flown.err);
+    assert_eq!(flown.rows.len(), 42);
+    assert_eq!(flown.rows[1][8], "17.5");
+    assert!((flown.last() - 19.5).abs() < 1e-9, "{}", flown.last());
+    assert!(flown.out.contains("plant2 is `other.fmu`"), "{}", flown.out);
+    // The multi-model alone does not say how it is stepped.
+    let mm = models.join("mm.json");
+    let flown = bench.fly_scenario(mm.to_str().unwrap(), &[]);
+    assert_eq!(flown.code, 2);
+    assert!(flown.err.contains("algorithm is missing"), "{}", flown.err);
+    model["fmus"]["{other}"] = "file:///no%20such.fmu".into();
+    fs::write(&mm, model.to_string()).unwrap();
+    let flown = bench.fly_scenario(coe.to_str().unwrap(), &[]);
+    assert_eq!(flown.code, 74);
+    assert!(flown.err.contains("cannot read `/no such.fmu`"), "{}", flown.err);
+}
+
+#[test]
+fn parameters_of_an_fmu_are_set_by_its_own_names_and_checked() {
+    let bench = Bench::new();
+    let library = bench.library("NONE", "3.0", &[]);
+    let mut description = Description::of("3.0");
+    description.more =
+        r#"<Int32 name="mode" valueReference="102" causality="parameter" start="0"/>"#.into();
+    bench.fmu("plant.fmu", &description, &library);
+    let with = |parameters: &str| {
+        let more = format!("[unit.parameters]\n{parameters}");
+        bench.fly_scenario(&bench.scenario(&[(2, "plant.fmu")], &more), &[])
+    };
+    let flown = with("x0 = 21.25");
+    assert_eq!((flown.code, flown.rows[1][8].as_str()), (0, "21.25"), "{}", flown.err);
+    for (parameters, part) in [
+        ("speed = 1", "variable `speed`: `"),
+        ("x = 1", "it is output: expected a parameter"),
+        ("x0 = true", "it has type Float64: expected a value of that type"),
+        ("mode = 1.5", "`3/2`: expected a whole number"),
+    ] {
+        let flown = with(parameters);
+        assert_eq!((flown.code, flown.out.as_str()), (2, ""), "{parameters}");
+        assert!(flown.err.contains(part), "{parameters}: {}", flown.err);
+    }
+}
+
 #[test]
 fn flags_about_processes_are_checked() {
     for (flags, part) in [

@@ -132,6 +132,13 @@ fn the_page_is_moved_by_hand() {
     let (t, dom) = time("document.getElementById('play').click();".to_owned());
     assert!(t > 0.5, "it plays: {t}");
     assert!(dom.contains("aria-pressed=\"true\""));
+    // On a button the space key is that button's, whichever it is.
+    let on_button = "document.getElementById('theme').dispatchEvent(new KeyboardEvent('keydown', {key: ' ', bubbles: true}));";
+    let (_, dom) = time(on_button.to_owned());
+    assert!(
+        dom.contains("aria-pressed=\"false\""),
+        "the space key on another button plays nothing"
+    );
     let (t, dom) = time(key(" ", false) + &key(" ", false));
     assert!(t < 0.2 && dom.contains("aria-pressed=\"false\""), "it pauses: {t}");
     let quick = key("+", false) + &key("+", false) + &key("+", false);
@@ -139,6 +146,28 @@ fn the_page_is_moved_by_hand() {
     assert!(fast > t + 5.0, "ten times as fast: {fast}");
     let (_, dom) = time(key("d", false));
     assert!(dom.contains("data-theme=\"dark\"") || dom.contains("data-theme=\"light\""));
+}
+
+/// At 25 s the run has broken loose: what leaves the pictures is said, not drawn at their edges.
+#[test]
+fn what_leaves_the_scale_is_said() {
+    let Some(browser) = browser() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let page = folder.path().join("page.html");
+    let args = ["replay", "scenarios/paper-unstable.toml", "--out", page.to_str().unwrap()];
+    assert_eq!(run(&args).0, 0);
+    let dom = open(browser, &page, "t=24", &["--dump-dom"]);
+    let status = text_of(&dom, "status");
+    let expected = "; beyond the picture, left: drones 2; beyond the picture, right: drones 1, 3";
+    assert!(status.ends_with(expected), "{status}");
+    let cut = "Cut at the edge of the picture: the gaps 0–1, 1–2, 2–3, 3–4.";
+    assert_eq!(text_of(&dom, "cut"), cut);
+    for name in ["0–1", "1–2", "2–3", "3–4"] {
+        assert!(dom.contains(&format!("</canvas> {name}</li>")), "{name}");
+    }
+    let (_folder, page) = unstable_page();
+    let dom = open(browser, &page, "t=1", &["--dump-dom"]);
+    assert!(!text_of(&dom, "status").contains("beyond"));
 }
 
 #[test]

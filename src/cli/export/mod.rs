@@ -26,8 +26,10 @@ pub enum Target {
     /// Protocol, theorems and a scenario as PVS theories
     Pvs(pvs::Args),
     /// The co-simulation as an INTO-CPS multi-model (for Maestro), the FMUs beside it
+    #[command(mut_arg("out", |out| out.value_name("DIR")))]
     IntoCps(Box<assembly::ExportArgs>),
     /// The co-simulation as an SSP archive (for FMPy or OMSimulator), the FMUs in it
+    #[command(mut_arg("out", |out| out.value_name("FILE")))]
     Ssp(Box<assembly::ExportArgs>),
 }
 

@@ -48,7 +48,7 @@ pub fn substitute(
 ) -> Result<Box<dyn Unit>> {
     let fmu = Fmu::open(&substitute.fmu)?;
     fmu.binary()?;
-    let map = adapter::map(unit.as_ref(), &fmu, &substitute.names)?;
+    let map = adapter::map(unit.as_ref(), &fmu, substitute)?;
     load(isolation, fmu, unit.as_ref(), map)
 }
 
@@ -83,7 +83,7 @@ fn load(
 fn load(_: &Isolation, fmu: Fmu, unit: &dyn Unit, _: adapter::Map) -> Result<Box<dyn Unit>> {
     Err(Error::input(format!(
         "unit `{}`: `{}`: this program was built without the means to run FMUs: \
-         build it with `cargo build --release --features fmi-import`",
+         build it with the feature `fmi-import`, which is on by default",
         unit.name(),
         fmu.path.display()
     )))

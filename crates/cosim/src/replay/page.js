@@ -52,16 +52,21 @@
   function drawLine() {
     const { g, w, h } = surface($("line"));
     const { actual, desired } = placesAt(state.t);
-    let low = Math.min(segment[0], ...actual), high = Math.max(segment[1], ...actual);
+    // Two segments' lengths to each side at most: a run that breaks loose does not squeeze the rest.
+    let low = Math.max(Math.min(segment[0], ...actual), segment[0] - 2 * span);
+    let high = Math.min(Math.max(segment[1], ...actual), segment[1] + 2 * span);
     const pad = 0.06 * (high - low);
     low -= pad; high += pad;
     const at = (x) => 24 + (w - 48) * (x - low) / (high - low);
+    const left = 12, right = w - 12;
+    const inside = (x) => at(x) >= left && at(x) <= right;
+    const edge = (x) => Math.min(right, Math.max(left, at(x)));
     const y = h * 0.56;
     g.strokeStyle = colour("rule"); g.lineWidth = 1;
     g.fillStyle = colour("soft"); g.textAlign = "center";
-    for (const x of ticks(low, high, 10)) {
+    for (const x of ticks(low, high, Math.max(2, Math.min(10, Math.floor(w / 90))))) {
       g.beginPath(); g.moveTo(at(x), 12); g.lineTo(at(x), h - 26); g.stroke();
-      g.fillText(short(x) + " m", at(x), h - 9);
+      label(g, short(x) + " m", at(x), h - 9, w);
     }
     g.strokeStyle = colour("ink"); g.lineWidth = 1.5;
     g.beginPath(); g.moveTo(at(segment[0]), y); g.lineTo(at(segment[1]), y); g.stroke();
@@ -69,19 +74,35 @@
     for (let i = 0; i + 1 < N; i++) if (actual[i] > actual[i + 1]) { wrong.add(i); wrong.add(i + 1); }
     const radius = N <= 40 ? 11 : 4, labelled = N <= 40;
     const up = y - 46;
+    // What is beyond the picture is no marker at its edge, but an arrow there and a word below.
+    const beyond = { left: [], right: [] };
+    const arrow = (x, height, name) => {
+      const to = at(x) < left ? -1 : 1, tip = to < 0 ? 3 : w - 3;
+      g.fillStyle = colour(name);
+      g.beginPath(); g.moveTo(tip, height); g.lineTo(tip - to * 8, height - 5); g.lineTo(tip - to * 8, height + 5); g.fill();
+    };
     for (let i = 0; i < N; i++) {
-      // A desired position beyond the picture waits at its edge.
-      const x = Math.min(w - 12, Math.max(12, at(desired[i])));
+      for (const x of [actual[i], desired[i]]) {
+        const side = at(x) < left ? "left" : at(x) > right ? "right" : null;
+        if (side && !beyond[side].includes(i)) beyond[side].push(i);
+      }
+      if (!inside(desired[i])) { arrow(desired[i], up, "goal"); continue; }
+      const x = at(desired[i]);
       g.strokeStyle = colour("goal"); g.lineWidth = 1;
       g.globalAlpha = 0.5;
-      g.beginPath(); g.moveTo(at(actual[i]), y); g.lineTo(x, up); g.stroke();
+      g.beginPath(); g.moveTo(edge(actual[i]), y); g.lineTo(x, up); g.stroke();
       g.globalAlpha = 1; g.lineWidth = 2;
       const r = labelled ? 7 : 3;
       g.beginPath(); g.moveTo(x, up - r); g.lineTo(x + r, up); g.lineTo(x, up + r); g.lineTo(x - r, up); g.closePath();
       g.stroke();
-      if (labelled) { g.fillStyle = colour("goal"); g.fillText(i, x, up - 12); }
+    }
+    if (labelled) {
+      g.fillStyle = colour("goal");
+      spread(desired.map((x, i) => ({ at: at(x), text: String(i) })).filter((l) => l.at >= left && l.at <= right), g, w)
+        .forEach((l) => g.fillText(l.text, l.at, up - 12));
     }
     for (let i = 0; i < N; i++) {
+      if (!inside(actual[i])) { arrow(actual[i], y, wrong.has(i) ? "wrong" : "drone"); continue; }
       g.fillStyle = colour(wrong.has(i) ? "wrong" : "drone");
       g.beginPath(); g.arc(at(actual[i]), y, radius, 0, 2 * Math.PI); g.fill();
       if (labelled) {
@@ -89,7 +110,29 @@
         g.fillText(i, at(actual[i]), y + 1); g.textBaseline = "alphabetic";
       }
     }
-    return { actual, wrong };
+    return { actual, wrong, beyond };
+  }
+  // A text whose middle is at x, moved so that it stays in the picture.
+  function label(g, text, x, y, w) {
+    const half = g.measureText(text).width / 2 + 2;
+    g.fillText(text, Math.min(w - half, Math.max(half, x)), y);
+  }
+  // Labels in a row, moved apart where they would lie on each other; those that are equally far.
+  function spread(labels, g, w) {
+    labels.sort((a, b) => a.at - b.at);
+    let end = 0;
+    for (const l of labels) {
+      const half = g.measureText(l.text).width / 2 + 2;
+      l.at = Math.max(l.at, end + half);
+      end = l.at + half;
+    }
+    let limit = w;
+    for (const l of labels.slice().reverse()) {
+      const half = g.measureText(l.text).width / 2 + 2;
+      l.at = Math.min(l.at, limit - half);
+      limit = l.at - half;
+    }
+    return labels;
   }
 
   // The gaps' picture changes with size and theme only; the moving cursor is drawn over it.
@@ -108,7 +151,7 @@
     return {
       low, high, left, right, top, bottom,
       x: (t) => left + (right - left) * t / end,
-      y: (gap) => bottom - (bottom - top) * (Math.min(high, Math.max(low, gap)) - low) / (high - low),
+      y: (gap) => bottom - (bottom - top) * (gap - low) / (high - low),
     };
   }
   function drawGaps() {
@@ -123,14 +166,16 @@
       g.fillText(short(gap) + " m", f.left - 6, f.y(gap) + 4);
     }
     g.textAlign = "center";
-    for (const t of ticks(0, end, 10)) g.fillText(short(t) + " s", f.x(t), h - 10);
+    for (const t of ticks(0, end, Math.max(2, Math.min(10, Math.floor(w / 70))))) label(g, short(t) + " s", f.x(t), h - 10, w);
     g.strokeStyle = colour("ink"); g.lineWidth = 1.5;
     g.beginPath(); g.moveTo(f.left, f.y(0)); g.lineTo(f.right, f.y(0)); g.stroke();
-    const dashes = [[], [7, 4], [2, 3], [10, 3, 2, 3]];
-    g.strokeStyle = colour("drone");
+    // Lines that leave the scale are cut there, and the text below says so.
+    g.save();
+    g.beginPath(); g.rect(f.left, f.top, f.right - f.left, f.bottom - f.top); g.clip();
     g.lineWidth = N <= 12 ? 1.8 : 1; g.globalAlpha = N <= 40 ? 1 : 0.25;
     for (let i = 0; i + 1 < N; i++) {
-      g.setLineDash(N <= 12 ? dashes[i % dashes.length] : []);
+      g.strokeStyle = gapColour(i);
+      g.setLineDash(N <= 12 ? DASHES[i % DASHES.length] : []);
       g.beginPath();
       for (let k = 0; k <= last; k++) {
         const a = run.actual[k], x = f.x(times[k]), y = f.y(a[i + 1] - a[i]);
@@ -138,19 +183,8 @@
       }
       g.stroke();
     }
+    g.restore();
     g.globalAlpha = 1;
-    if (N <= 12) {
-      g.fillStyle = colour("ink"); g.textAlign = "left";
-      const taken = [];
-      for (let i = 0; i + 1 < N; i++) {
-        let y = f.y(run.actual[0][i + 1] - run.actual[0][i]) - 5;
-        while (taken.some((other) => Math.abs(other - y) < 13)) y -= 13;
-        taken.push(y);
-        g.fillText(`${i}–${i + 1}`, f.left + 38, y);
-        g.setLineDash(dashes[i % dashes.length]);
-        g.beginPath(); g.moveTo(f.left + 6, y - 4); g.lineTo(f.left + 34, y - 4); g.stroke();
-      }
-    }
     g.setLineDash([]);
     g.fillStyle = colour("wrong");
     for (const e of run.events) if (e.kind === "collision") {
@@ -159,6 +193,33 @@
     }
     gapPicture = g.getImageData(0, 0, $("gaps").width, $("gaps").height);
     return f;
+  }
+  // Colours that people with a colour vision deficiency can tell apart, each with a dash of its own.
+  const DASHES = [[], [8, 4], [2, 3], [12, 3, 2, 3], [6, 2], [14, 5], [3, 6], [10, 3, 2, 3, 2, 3], [1, 2], [16, 3, 6, 3], [5, 5]];
+  const gapColour = (i) => (N <= 12 ? colour(`gap-${i % 7}`) : colour("drone"));
+  const cut = (() => {
+    const f = gapFrame(100, 100), gaps = new Set();
+    for (const a of run.actual) for (let i = 0; i + 1 < N; i++) {
+      const gap = a[i + 1] - a[i];
+      if (gap < f.low || gap > f.high) gaps.add(i);
+    }
+    return [...gaps].sort((a, b) => a - b);
+  })();
+  // The gaps' names, below the picture: each a piece that stays in one line.
+  function drawLegend() {
+    const list = $("gap-names");
+    list.textContent = "";
+    for (let i = 0; N <= 12 && i + 1 < N; i++) {
+      const li = document.createElement("li"), canvas = document.createElement("canvas");
+      li.append(canvas, ` ${i}–${i + 1}`);
+      list.append(li);
+      const { g, w, h } = surface(canvas);
+      g.strokeStyle = gapColour(i); g.lineWidth = 2; g.setLineDash(DASHES[i % DASHES.length]);
+      g.beginPath(); g.moveTo(0, h / 2); g.lineTo(w, h / 2); g.stroke();
+    }
+    $("cut").textContent = cut.length
+      ? `Cut at the edge of the picture: the ${cut.length === 1 ? "gap" : "gaps"} ${cut.slice(0, 8).map((i) => `${i}–${i + 1}`).join(", ")}${cut.length > 8 ? ", .." : ""}.`
+      : "";
   }
   let frame = null;
   function drawCursor() {
@@ -188,18 +249,22 @@
     for (const from of since.values()) bar(from, end);
   }
 
-  function tell({ actual, wrong }) {
+  function tell({ actual, wrong, beyond }) {
     let least = Infinity, pair = 0;
     for (let i = 0; i + 1 < N; i++) if (actual[i + 1] - actual[i] < least) { least = actual[i + 1] - actual[i]; pair = i; }
     const collisions = run.events.filter((e) => e.kind === "collision" && e.time <= state.t).length;
     const order = wrong.size ? `out of order: drones ${[...wrong].slice(0, 8).join(", ")}` : "in order";
-    $("status").textContent = `t = ${state.t.toFixed(2)} s of ${end.toFixed(2)} s; smallest gap ${least.toFixed(3)} m (drones ${pair} and ${pair + 1}); ${order}; collisions so far: ${collisions}`;
+    $("status").textContent = `t = ${state.t.toFixed(2)} s of ${end.toFixed(2)} s; smallest gap ${least.toFixed(3)} m (drones ${pair} and ${pair + 1}); ${order}; collisions so far: ${collisions}${outside(beyond)}`;
     $("status").className = wrong.size ? "wrong" : "";
     $("time").value = state.t;
     document.querySelectorAll("#events li").forEach((li) => { li.className = Number(li.dataset.time) <= state.t ? "past" : ""; });
   }
+  function outside({ left, right }) {
+    const side = (list, name) => (list.length ? `; beyond the picture, ${name}: drones ${list.slice(0, 8).join(", ")}` : "");
+    return side(left, "left") + side(right, "right");
+  }
   function draw() { tell(drawLine()); drawCursor(); }
-  function redraw() { gapPicture = null; drawMarks(); draw(); }
+  function redraw() { gapPicture = null; drawLegend(); drawMarks(); draw(); }
   function seek(t) { state.t = Math.min(end, Math.max(0, t)); draw(); }
   function play(on) {
     if (on && state.t >= end) state.t = 0;
@@ -252,7 +317,9 @@
       n: () => toEvent(true), p: () => toEvent(false), d: theme,
     };
     const action = keys[e.key.length === 1 ? e.key.toLowerCase() : e.key];
-    if (!action || (e.target.tagName === "SELECT" && e.key !== " ")) return;
+    // A control that has the focus keeps the keys that work it.
+    const tag = e.target.tagName;
+    if (!action || tag === "SELECT" || (tag === "BUTTON" && e.key === " ")) return;
     e.preventDefault();
     action();
   });

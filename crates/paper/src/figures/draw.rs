@@ -46,6 +46,11 @@ impl Plot {
     fn svg(&self) -> Drawn<Vec<u8>> {
         let mut text = String::new();
         self.draw(SVGBackend::with_string(&mut text, SIZE).into_drawing_area())?;
+        // What a reader of the page hears, and a pointer shows.
+        if let Some((tag, rest)) = text.split_once('>') {
+            let title = escaped(&self.title);
+            text = format!("{tag} role=\"img\"><title>{title}</title>{rest}");
+        }
         Ok(text.into_bytes())
     }
 
@@ -129,6 +134,11 @@ impl Plot {
         }
         Ok(())
     }
+}
+
+/// A text inside an element of XML.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// A number on an axis, without zeros that say nothing.

@@ -48,6 +48,19 @@ pub struct Substitute {
     pub fmu: PathBuf,
     /// The FMU's names of variables that it calls otherwise than the unit does.
     pub names: BTreeMap<String, String>,
+    /// Parameters of the FMU, by its own names for them.
+    pub parameters: BTreeMap<String, Parameter>,
+}
+
+/// The value of a parameter of an FMU.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Parameter {
+    /// A number, whole where the FMU's is.
+    Number(Rational),
+    /// True or false.
+    Boolean(bool),
+    /// Text.
+    Text(String),
 }
 
 /// The units of a drone.

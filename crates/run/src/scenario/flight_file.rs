@@ -7,7 +7,7 @@ use serde::Deserialize;
 use toml::{Spanned, Value};
 
 use super::file::Source;
-use super::flight::{Fault, FaultKind, Flight, Substitute, UnitName};
+use super::flight::{Fault, FaultKind, Flight, Parameter, Substitute, UnitName};
 use cordon_core::Result;
 use cordon_core::exact::Rational;
 
@@ -52,6 +52,8 @@ pub(super) struct UnitTable {
     fmu: PathBuf,
     #[serde(default)]
     names: BTreeMap<String, String>,
+    #[serde(default)]
+    parameters: BTreeMap<String, Spanned<Value>>,
 }
 
 /// The flight that a file describes.
@@ -136,5 +138,14 @@ fn substitute(source: &Source<'_>, t: UnitTable) -> Result<Substitute> {
         Some(folder) => folder.join(t.fmu),
         None => t.fmu,
     };
-    Ok(Substitute { drone: t.drone, unit, fmu, names: t.names })
+    let parameter = |(name, value): (String, Spanned<Value>)| {
+        let value = match value.get_ref() {
+            Value::Boolean(b) => Parameter::Boolean(*b),
+            Value::String(text) => Parameter::Text(text.clone()),
+            _ => Parameter::Number(source.number(&format!("unit.parameters.{name}"), &value)?),
+        };
+        Ok((name, value))
+    };
+    let parameters = t.parameters.into_iter().map(parameter).collect::<Result<_>>()?;
+    Ok(Substitute { drone: t.drone, unit, fmu, names: t.names, parameters })
 }

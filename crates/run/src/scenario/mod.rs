@@ -16,7 +16,7 @@ use cordon_spec::{Params, Phase, State};
 
 pub use draft::{Draft, Start};
 pub use file::{parse, read};
-pub use flight::{Fault, FaultKind, Flight, Substitute, UnitName};
+pub use flight::{Fault, FaultKind, Flight, Parameter, Substitute, UnitName};
 pub use graph::Topology;
 pub use places::Places;
 

@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 
 use crate::fmi::archive::{Fmu, FmuVariable};
 use crate::fmi::units::{Conversion, Si};
-use crate::unit::{Causality, Kind, Unit, Variable};
-use cordon_core::{Error, Result};
+use crate::unit::{Causality, Kind, Unit, Value, Variable};
+use cordon_core::{Error, Rational, Result, exact};
+use cordon_run::scenario::{Parameter, Substitute};
+use num_traits::ToPrimitive;
 
 /// A variable of a unit and the FMU's variable that stands for it.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +28,9 @@ pub(super) struct Counterpart {
 /// The counterparts, and what the user should know about them.
 pub(super) struct Map {
     pub counterparts: Vec<Counterpart>,
+    /// Parameters of the FMU that the scenario sets.
+    #[cfg_attr(not(feature = "fmi-import"), allow(dead_code, reason = "read where FMUs run"))]
+    pub parameters: Vec<(FmuVariable, Value)>,
     pub notes: Vec<String>,
 }
 
@@ -35,7 +40,8 @@ pub(super) struct Map {
 /// # Errors
 /// An input or output without a counterpart, or a counterpart of another causality, type or
 /// physical unit; two variables with one counterpart; a name that the unit does not know.
-pub(super) fn map(unit: &dyn Unit, fmu: &Fmu, names: &BTreeMap<String, String>) -> Result<Map> {
+pub(super) fn map(unit: &dyn Unit, fmu: &Fmu, substitute: &Substitute) -> Result<Map> {
+    let names = &substitute.names;
     let fail = |variable: &str, what: String| {
         Error::input(format!(
             "unit `{}`, variable `{variable}`: `{}`: {what}",
@@ -46,7 +52,13 @@ pub(super) fn map(unit: &dyn Unit, fmu: &Fmu, names: &BTreeMap<String, String>) 
     if let Some(name) = names.keys().find(|n| !unit.variables().iter().any(|v| v.name == **n)) {
         return Err(fail(name, "is no variable of this unit".to_owned()));
     }
-    let mut map = Map { counterparts: Vec::new(), notes: Vec::new() };
+    let mut map = Map { counterparts: Vec::new(), parameters: Vec::new(), notes: Vec::new() };
+    for (name, value) in &substitute.parameters {
+        let theirs = fmu.variable(name);
+        let theirs = theirs.ok_or_else(|| fail(name, "it has no such variable".to_owned()))?;
+        let value = parameter(theirs, value).map_err(|what| fail(name, what))?;
+        map.parameters.push((theirs.clone(), value));
+    }
     let mut taken: BTreeMap<&str, &str> = BTreeMap::new();
     for (place, variable) in unit.variables().iter().enumerate() {
         let name = names.get(&variable.name).unwrap_or(&variable.name);
@@ -63,6 +75,9 @@ pub(super) fn map(unit: &dyn Unit, fmu: &Fmu, names: &BTreeMap<String, String>) 
             }
             continue;
         };
+        if variable.causality == Causality::Parameter && substitute.parameters.contains_key(name) {
+            continue;
+        }
         if !wanted && theirs.causality != Causality::Parameter.name() {
             let what = format!("`{name}` is {}, no parameter: it is not set", theirs.causality);
             map.notes.push(what);
@@ -89,6 +104,35 @@ pub(super) fn map(unit: &dyn Unit, fmu: &Fmu, names: &BTreeMap<String, String>) 
     }
     Ok(map)
 }
+
+/// The value of a parameter, as the FMU's type has it.
+fn parameter(theirs: &FmuVariable, value: &Parameter) -> Result<Value, String> {
+    if theirs.causality != Causality::Parameter.name() {
+        return Err(format!("it is {}: expected a parameter", theirs.causality));
+    }
+    if theirs.is_array {
+        return Err("it is an array: expected a single value".to_owned());
+    }
+    let kind = theirs.kind.as_str();
+    let whole = |x: &Rational| x.is_integer().then(|| x.to_integer().to_i64()).flatten();
+    match value {
+        Parameter::Number(x) if REALS.contains(&kind) => Ok(Value::Real(exact::to_f64(x))),
+        Parameter::Number(x) if WHOLES.contains(&kind) => match whole(x) {
+            Some(n) => Ok(Value::Integer(n)),
+            None => Err(format!("`{x}`: expected a whole number")),
+        },
+        Parameter::Boolean(b) if kind == "Boolean" => Ok(Value::Boolean(*b)),
+        Parameter::Text(t) if kind == "String" => Ok(Value::Text(t.as_str().into())),
+        _ => Err(format!("it has type {kind}: expected a value of that type")),
+    }
+}
+
+/// Types of variables that stand for real ones.
+const REALS: &[&str] = &["Real", "Float64", "Float32"];
+
+/// Types of variables that stand for whole numbers.
+const WHOLES: &[&str] =
+    &["Integer", "Int64", "Int32", "Int16", "Int8", "UInt64", "UInt32", "UInt16", "UInt8"];
 
 /// Compares a variable with its counterpart: the conversion of its values, or what keeps one
 /// from standing for the other.

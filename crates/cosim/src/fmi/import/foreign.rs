@@ -30,6 +30,8 @@ pub(super) struct Foreign {
     /// Values of all variables: as set, as last read.
     values: Vec<Value>,
     counterparts: Vec<Counterpart>,
+    /// Parameters of the FMU alone.
+    parameters: Vec<(FmuVariable, Value)>,
     notes: Vec<String>,
     session: Session,
     /// The unpacked archive, which goes after the session that uses it.
@@ -105,6 +107,7 @@ impl Foreign {
             variables: unit.variables().to_vec(),
             values,
             counterparts: map.counterparts,
+            parameters: map.parameters,
             notes: Vec::new(),
             session,
             _folder: folder,
@@ -175,8 +178,16 @@ impl Foreign {
 
 /// A value as the FMU takes it: in its unit, exact numbers as text.
 fn outward(counterpart: &Counterpart, value: &Value) -> Datum {
+    match (value, counterpart.conversion) {
+        (Value::Real(x), Some(conversion)) => Datum::Real(conversion.outward(*x)),
+        _ => plain(value),
+    }
+}
+
+/// A value as FMUs take it: exact numbers as text.
+fn plain(value: &Value) -> Datum {
     match value {
-        Value::Real(x) => Datum::Real(counterpart.conversion.map_or(*x, |c| c.outward(*x))),
+        Value::Real(x) => Datum::Real(*x),
         Value::Integer(n) => Datum::Integer(*n),
         Value::Boolean(b) => Datum::Boolean(*b),
         Value::Text(t) => Datum::Text(t.to_string()),
@@ -236,8 +247,11 @@ impl Unit for Foreign {
 
     fn initialise(&mut self, grid: &Grid) -> Result<(), UnitError> {
         let outputs = self.counterparts.iter().filter(|c| c.causality == Causality::Output);
+        let mut parameters = self.told(Causality::Parameter);
+        let own = self.parameters.iter();
+        parameters.extend(own.filter_map(|(v, value)| Some((foreign(v)?, plain(value)))));
         let beginning = Beginning {
-            parameters: self.told(Causality::Parameter),
+            parameters,
             inputs: self.told(Causality::Input),
             outputs: outputs.filter_map(|c| foreign(&c.theirs)).collect(),
             stop: grid.time_f64(grid.steps()),

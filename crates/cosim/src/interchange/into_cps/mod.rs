@@ -3,6 +3,7 @@
 //! One file holds the multi-model (`fmus`, `connections`, `parameters`) and the configuration of
 //! the co-simulation (`algorithm`, `endTime`, `logVariables`), as Maestro takes it.
 
+mod locate;
 mod ports;
 mod read;
 mod write;

@@ -12,6 +12,7 @@ use cordon_spec::Phase;
 use serde_json::Value as Json;
 
 use super::MultiModel;
+use super::locate::{self, Found};
 use super::ports::{Instance, Port, Ports};
 use crate::cosimulation::Cosimulation;
 use crate::fmi::archive::Fmu;
@@ -21,31 +22,29 @@ use crate::quotient::Quotient;
 use crate::seat::Seat;
 use crate::unit::Value;
 use cordon_core::exact::{self, Rational};
-use cordon_core::{Error, Result, files};
-use cordon_run::scenario::{Draft, Flight, Start, Substitute, UnitName};
+use cordon_core::{Error, Result};
+use cordon_run::scenario::{Draft, Flight, Parameter, Start, Substitute, UnitName};
 
 /// Whether a file's name says that it is a multi-model.
 pub fn is_multi_model(path: &Path) -> bool {
     path.extension().is_some_and(|e| e == "json")
 }
 
-/// Reads a multi-model as a scenario.
+/// Reads a multi-model, or the configuration of a co-simulation that names one, as a scenario.
 ///
 /// # Errors
 /// The file or one of its FMUs cannot be read, or it is not the multi-model of a swarm: the
 /// message names the file and what does not fit.
 pub fn read(path: &Path) -> Result<Draft> {
-    let text = files::read_text(path, files::Limit::MULTI_MODEL)?;
     let named = |e: Error| match e {
         Error::Input(what) => Error::input(format!("{}: {what}", path.display())),
         e => e,
     };
-    let model: MultiModel = serde_json::from_str(&text)
-        .map_err(|e| named(Error::input(format!("expected an INTO-CPS multi-model: {e}"))))?;
-    let folder = path.parent().unwrap_or(Path::new("."));
+    let Found { model, folder } = locate::model(path)?;
     let mut fmus = BTreeMap::new();
     for (key, file) in &model.fmus {
-        fmus.insert(key.clone(), Fmu::open(&folder.join(file))?);
+        let file = locate::file(&folder, file).map_err(named)?;
+        fmus.insert(key.clone(), Fmu::open(&file)?);
     }
     Reader { ports: Ports::of(&model).map_err(named)?, model: &model, fmus }.draft().map_err(named)
 }
@@ -66,10 +65,9 @@ struct Drone {
 impl Reader<'_> {
     fn draft(&self) -> Result<Draft> {
         let drones = self.drones()?;
-        let draft = self.as_read(&drones)?;
-        self.compare(&drones, &draft)?;
-        let mut draft = draft;
-        draft.flight.units = self.substitutes(&drones);
+        let mut draft = self.as_read(&drones)?;
+        let names = self.compare(&drones, &draft)?;
+        draft.flight.units = self.substitutes(&drones, &names)?;
         Ok(draft)
     }
 
@@ -277,21 +275,37 @@ impl Reader<'_> {
         )))
     }
 
-    /// Compares the file with the assembly of what was read.
-    fn compare(&self, drones: &[Drone], draft: &Draft) -> Result<()> {
+    /// Compares the file with the assembly of what was read. The answer: what FMUs of other tools
+    /// call their variables, where a connection to a unit of this program tells.
+    fn compare(&self, drones: &[Drone], draft: &Draft) -> Result<Names> {
         let swarm = Cosimulation::new(draft.clone().finish()?, draft.flight.clone())?;
         let assembly = Assembly::of(&swarm)?;
         let mut unmatched = self.ports.wires.clone();
+        let mut names = Names::new();
         for (from, to) in &assembly.connections {
-            let is_expected =
-                |wire: &&(Port, Port)| is_end(drones, from, &wire.0) && is_end(drones, to, &wire.1);
-            let Some(found) = unmatched.iter().find(is_expected).cloned() else {
+            let matches = |(f, t): &&(Port, Port)| {
+                let (here, there) = (fit(drones, from, f), fit(drones, to, t));
+                // One end that is of another tool may have another name.
+                matches!((here, there), (Fit::Whole, Fit::Whole | Fit::Renamed))
+                    || matches!((here, there), (Fit::Renamed, Fit::Whole))
+            };
+            let whole = |w: &&(Port, Port)| {
+                fit(drones, from, &w.0) == Fit::Whole && fit(drones, to, &w.1) == Fit::Whole
+            };
+            let found = unmatched.iter().find(whole).or_else(|| unmatched.iter().find(matches));
+            let Some(found) = found.cloned() else {
                 return Err(Error::input(format!(
                     "a connection from `{}` to `{}` is missing: expected those of a swarm",
                     expected_name(drones, from),
                     expected_name(drones, to)
                 )));
             };
+            for (end, port) in [(from, &found.0), (to, &found.1)] {
+                if end.variable != port.variable {
+                    let of_unit = names.entry(Seat::at(end.instance)).or_default();
+                    of_unit.insert(end.variable.clone(), port.variable.clone());
+                }
+            }
             unmatched.remove(&found);
         }
         if let Some((from, to)) = unmatched.first() {
@@ -318,11 +332,11 @@ impl Reader<'_> {
                 }
             }
         }
-        Ok(())
+        Ok(names)
     }
 
     /// FMUs of other tools.
-    fn substitutes(&self, drones: &[Drone]) -> Vec<Substitute> {
+    fn substitutes(&self, drones: &[Drone], names: &Names) -> Result<Vec<Substitute>> {
         let mut substitutes = Vec::new();
         for (drone, d) in drones.iter().enumerate() {
             for (place, unit) in UnitName::ALL.into_iter().enumerate() {
@@ -331,10 +345,20 @@ impl Reader<'_> {
                 };
                 let Some(fmu) = self.fmus.get(&instance.fmu) else { continue };
                 let fmu = fmu.path.clone();
-                substitutes.push(Substitute { drone, unit, fmu, names: BTreeMap::new() });
+                let names = names.get(&Seat { drone, unit }).cloned().unwrap_or_default();
+                let set = self.ports.settings.get(instance).into_iter().flatten();
+                let parameter = |(name, value): (&String, &Json)| {
+                    let value = parameter(value).ok_or_else(|| {
+                        let what = "expected a number, true, false or a text";
+                        Error::input(format!("{instance}.{name}: `{value}`: {what}"))
+                    })?;
+                    Ok((name.clone(), value))
+                };
+                let parameters = set.map(parameter).collect::<Result<_>>()?;
+                substitutes.push(Substitute { drone, unit, fmu, names, parameters });
             }
         }
-        substitutes
+        Ok(substitutes)
     }
 }
 
@@ -349,11 +373,39 @@ fn unit_at(drones: &[Drone], seat: Seat) -> Option<(&Instance, Option<Model>)> {
     Some((drone.units.get(place)?, *drone.models.get(place)?))
 }
 
-/// Whether a port is where an end of an assembly's connection should be. Another tool's FMU has
-/// the same names.
-fn is_end(drones: &[Drone], end: &End, port: &Port) -> bool {
-    unit_at(drones, Seat::at(end.instance))
-        .is_some_and(|(unit, _)| *unit == port.instance && end.variable == port.variable)
+/// What the FMUs of other tools call the variables of the units whose places they take.
+type Names = BTreeMap<Seat, BTreeMap<String, String>>;
+
+/// How a port of the file fits an end of an assembly's connection.
+#[derive(Clone, Copy, PartialEq)]
+enum Fit {
+    /// It is there, by the same name.
+    Whole,
+    /// It is a variable of another name, of another tool's FMU there.
+    Renamed,
+    /// It is elsewhere.
+    Not,
+}
+
+fn fit(drones: &[Drone], end: &End, port: &Port) -> Fit {
+    match unit_at(drones, Seat::at(end.instance)) {
+        Some((unit, _)) if *unit != port.instance => Fit::Not,
+        Some(_) if end.variable == port.variable => Fit::Whole,
+        Some((_, None)) => Fit::Renamed,
+        _ => Fit::Not,
+    }
+}
+
+fn parameter(value: &Json) -> Option<Parameter> {
+    Some(match value {
+        Json::Number(n) => Parameter::Number(match n.as_i64() {
+            Some(whole) => Rational::from_integer(whole.into()),
+            None => Rational::from_float(n.as_f64()?)?,
+        }),
+        Json::Bool(b) => Parameter::Boolean(*b),
+        Json::String(text) => Parameter::Text(text.clone()),
+        _ => return None,
+    })
 }
 
 fn expected_name(drones: &[Drone], end: &End) -> String {

@@ -8,6 +8,7 @@ use cordon_spec::theorems::{Form, Theorem};
 use serde_json::{Value, json};
 
 use super::own_protocol;
+use super::progress;
 use super::select::OutputFormat;
 use cordon_core::{Error, Outcome, Rational, Result, files, range};
 use cordon_proof::certificate;
@@ -79,7 +80,9 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
     }
     let (mut outcome, mut rows) = (Outcome::Holds, Vec::new());
+    progress::expect(tasks.len());
     for task in tasks {
+        progress::advance();
         let effort = Effort { level: usize::from(args.degree), ..Effort::default() };
         let ended = attempt(&task, drones, weights.as_ref(), effort);
         outcome = outcome.worst(ended.outcome);

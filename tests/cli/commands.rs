@@ -476,10 +476,7 @@ fn every_command_has_an_example_and_completions_offer_numbers_and_files() {
     }
     let (code, fish, _) = run(&["completions", "fish"]);
     assert_eq!(code, 0);
-    assert!(
-        fish.lines()
-            .any(|l| l.contains("__fish_cordon_using_subcommand trace") && l.contains("7.4ii"))
-    );
+    assert!(fish.lines().any(|l| l.starts_with("7.4ii")), "numbers of theorems");
     let (_, zsh, _) = run(&["completions", "zsh"]);
     assert!(zsh.contains("_files"), "files where files are meant");
     assert!(zsh.contains("7.4ii"));

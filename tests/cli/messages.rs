@@ -41,8 +41,8 @@ trace scenarios/consensus.toml --check 7.2
 trace scenarios/consensus.toml --min 0
 trace scenarios/faults.toml
 trace tests/cases/cli/drones-as-text.toml
-trace Cargo.toml
-trace README.md
+trace tests/cases/cli/unknown-field.toml
+trace LICENSE-MIT
 trace scenarios
 trace no-such-file.toml
 local scenarios/paper.toml --exchange-every 0
@@ -56,7 +56,7 @@ cosim scenarios/paper.toml --duration -1
 cosim scenarios/paper.toml --tau 1000
 cosim scenarios/paper.toml --out scenarios/paper.toml
 cosim scenarios/paper.toml --out no/such/folder/run.csv
-replay README.md --out target/x.html
+replay LICENSE-MIT --out target/x.html
 replay no-such-run.csv --out target/x.html
 swarm --drones 2
 swarm --eps x
@@ -91,7 +91,7 @@ prove 7.2 --drones 2
 prove 7.2 --eps 1/2..0
 prove --protocol no-such-file.toml
 check no-such-file.json
-check README.md
+check LICENSE-MIT
 threshold --property ordering --drones 2
 threshold --property ordering --drones 5 --digits 0
 settle --drones 2 --eps 1/4 --within 1
@@ -100,7 +100,7 @@ settle --drones 5 --eps 1/4 --within 1 --start 0,1,2
 export smt2 9.9
 export smt2 7.2 --drones 2
 export smt2 7.2 --eps-range (1/2
-export smt2 7.2 --negate --answer README.md
+export smt2 7.2 --negate --answer LICENSE-MIT
 export pvs --scenario scenarios/consensus.toml
 kani
 verify

@@ -5,14 +5,16 @@ mod cli;
 use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
 
-use clap::{CommandFactory, FromArgMatches};
+use clap::FromArgMatches;
 use cli::Cli;
 use cli::edge::Call;
+use cli::help;
+use cli::progress::{Beside, Heartbeat};
 use cordon_core::text::Printable;
 use cordon_core::{Error, Outcome, Result};
 
 fn main() -> ExitCode {
-    let mut command = Cli::command();
+    let mut command = help::command();
     let matches = match command.try_get_matches_from_mut(std::env::args_os()) {
         Ok(matches) => matches,
         Err(e) => return usage(&e),
@@ -36,8 +38,14 @@ fn main() -> ExitCode {
 
 /// Help, or what is wrong with the command line.
 fn usage(error: &clap::Error) -> ExitCode {
+    let text = error.render().to_string();
+    let plain = text
+        .replace("invalid digit found in string", "expected a whole number")
+        .replace("cannot parse integer from empty string", "expected a whole number")
+        .replace("number too large to fit in target type", "expected a smaller number")
+        .replace("invalid float literal", "expected a number");
     // Nothing is left to be done where the stream is closed.
-    let _ = error.print();
+    let _ = if plain == text { error.print() } else { write!(Printable(io::stderr()), "{plain}") };
     let numbers: Vec<String> = std::env::args().filter(|a| a.starts_with("7.")).collect();
     if error.use_stderr() && numbers.len() > 1 {
         let _ = writeln!(
@@ -51,10 +59,13 @@ fn usage(error: &clap::Error) -> ExitCode {
 
 /// Runs the command. What it says goes to stdout, or to stderr where a file goes to stdout.
 fn run(cli: Cli, call: &Call<'_>) -> Result<Outcome> {
-    let edge: Box<dyn Write> = if call.output()? {
-        Box::new(io::stderr())
+    let to_stderr = call.output()?;
+    let beat = Heartbeat::start();
+    let heartbeat = beat.as_ref();
+    let edge: Box<dyn Write> = if to_stderr {
+        Box::new(Beside { stream: io::stderr(), heartbeat })
     } else {
-        Box::new(BufWriter::new(io::stdout().lock()))
+        Box::new(BufWriter::new(Beside { stream: io::stdout().lock(), heartbeat }))
     };
     let mut out = Printable(edge);
     let outcome = cli.run(&mut out)?;

@@ -8,6 +8,7 @@ use cordon_check::Verdict;
 use cordon_check::format::MAX_BYTES;
 use serde_json::json;
 
+use super::progress;
 use super::select::OutputFormat;
 use cordon_core::{Error, Outcome, Result};
 
@@ -26,7 +27,9 @@ pub struct Args {
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let mut outcome = Outcome::Holds;
     let (mut verdicts, mut unreadable, mut unread) = (Vec::new(), Vec::new(), None);
+    progress::expect(args.files.len());
     for path in &args.files {
+        progress::advance();
         let verdict = match judge(path) {
             Ok(verdict) => verdict,
             // The other files are judged all the same.

@@ -8,6 +8,7 @@ use cordon_spec::theorems::Form;
 use serde_json::{Value, json};
 
 use super::own_protocol;
+use super::progress;
 use super::select::OutputFormat;
 use cordon_core::{Error, Outcome, Result, files, range};
 use cordon_proof::certificate;
@@ -66,7 +67,9 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
     }
     let (mut outcome, mut rows) = (Outcome::Holds, Vec::new());
+    progress::expect(claims.len());
     for (claim, form) in claims {
+        progress::advance();
         let ended = attempt(claim, Scope { form, weights: weights.clone(), drones });
         outcome = outcome.worst(ended.outcome);
         let mut file = None;

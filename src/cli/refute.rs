@@ -8,6 +8,7 @@ use num_traits::{One, Zero};
 use serde_json::{Value, json};
 
 use super::own_protocol;
+use super::progress;
 use super::scenario_args::positions;
 use super::select::{FormArg, OutputFormat};
 use super::table::{self, abridged};
@@ -90,7 +91,9 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     }
     let mut outcome = Outcome::Holds;
     let mut results = Vec::new();
+    progress::expect(spaces.len());
     for space in &spaces {
+        progress::advance();
         let answer = match args.delay {
             Some(longest) => delay::search(space, longest)?,
             None if args.activation => activation::search(space)?,

@@ -2,10 +2,9 @@
 
 use std::io::Write;
 
-use clap::CommandFactory;
 use clap_complete::Shell;
 
-use super::Cli;
+use super::help;
 use cordon_core::{Outcome, Result};
 
 /// Arguments of `cordon completions`.
@@ -20,14 +19,14 @@ pub struct Args {
 pub(super) fn completions(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     // Through a buffer: the generator panics where a write fails.
     let mut script = Vec::new();
-    clap_complete::generate(args.shell, &mut Cli::command(), "cordon", &mut script);
+    clap_complete::generate(args.shell, &mut help::command(), "cordon", &mut script);
     out.write_all(&script)?;
     Ok(Outcome::Holds)
 }
 
 /// Prints the manual page: that of `cordon`, then those of its commands.
 pub(super) fn man(out: &mut dyn Write) -> Result<Outcome> {
-    let mut command = Cli::command();
+    let mut command = help::command();
     command.build();
     clap_mangen::Man::new(command.clone()).render(out)?;
     for sub in command.get_subcommands().filter(|s| s.get_name() != "help") {

@@ -433,6 +433,56 @@ fn decimals_in_files_are_read_from_their_digits() {
 }
 
 #[test]
+fn every_command_has_an_example_and_completions_offer_numbers_and_files() {
+    let commands = [
+        "trace",
+        "local",
+        "swarm",
+        "cosim",
+        "figures",
+        "replay",
+        "fmu",
+        "fmu export",
+        "theorems",
+        "errata",
+        "sweep",
+        "sweep merge",
+        "refute",
+        "prove",
+        "check",
+        "threshold",
+        "settle",
+        "export",
+        "export smt2",
+        "export pvs",
+        "export into-cps",
+        "export ssp",
+        "completions",
+    ];
+    for command in commands {
+        let args: Vec<&str> = command.split(' ').chain(["--help"]).collect();
+        let (code, out, _) = run(&args);
+        assert_eq!(code, 0, "{command}");
+        let examples = out.split("Example").nth(1).unwrap_or_else(|| panic!("{command}: {out}"));
+        assert!(examples.contains(&format!("cordon {command}")) || command == "export", "{out}");
+    }
+    // All there are, but those that moved and those about the program itself.
+    let (_, help, _) = run(&["--help"]);
+    let listed = help.split("Commands:").nth(1).unwrap().split("Options:").next().unwrap();
+    let names = listed.lines().filter(|l| l.starts_with("  ") && !l.starts_with("   "));
+    let names: Vec<_> = names.filter_map(|l| l.split_whitespace().next()).collect();
+    for name in names {
+        assert!(commands.contains(&name) || ["man", "help"].contains(&name), "{name}");
+    }
+    let (code, fish, _) = run(&["completions", "fish"]);
+    assert_eq!(code, 0);
+    assert!(fish.lines().any(|l| l.starts_with("7.4ii")), "numbers of theorems");
+    let (_, zsh, _) = run(&["completions", "zsh"]);
+    assert!(zsh.contains("_files"), "files where files are meant");
+    assert!(zsh.contains("7.4ii"));
+}
+
+#[test]
 fn completions_and_manual_are_printed() {
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
         let (code, out, _) = run(&["completions", shell]);

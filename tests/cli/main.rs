@@ -17,6 +17,7 @@ mod fmu;
 #[cfg(all(feature = "fmi-import", unix))]
 mod foreign;
 mod golden;
+mod messages;
 mod replay;
 mod schemas;
 mod sweep;

@@ -189,7 +189,14 @@ fn temporary_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
     builder.prefix(".cordon-");
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder)
+    builder.tempfile_in(folder).map_err(|e| match e.kind() {
+        // The temporary file's name is of no use to anybody.
+        io::ErrorKind::NotFound => io::Error::new(e.kind(), "there is no such folder"),
+        io::ErrorKind::PermissionDenied => {
+            io::Error::new(e.kind(), "the folder does not take new files")
+        }
+        _ => e,
+    })
 }
 
 /// Writes a file. A regular one is replaced as a whole (into a temporary file beside it, then

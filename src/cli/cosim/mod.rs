@@ -10,6 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::cli::choice::{Choice, choice};
 use crate::cli::fmu::HOST;
+use crate::cli::progress;
 use crate::cli::scenario_args::ScenarioArgs;
 use cordon_core::text::Printable;
 use cordon_core::{Error, Outcome, Result};
@@ -225,6 +226,7 @@ fn flown(swarm: &Cosimulation, progress: bool) -> Result<(Record, Result<()>)> {
     if !progress {
         return engine::run_as_far_as_it_goes(swarm, |_| {});
     }
+    progress::shown_elsewhere();
     let bar = ProgressBar::new(swarm.grid.steps());
     // A template of its own that does not parse falls back to the usual bar.
     if let Ok(style) = ProgressStyle::with_template("{bar:40} step {pos} of {len}, {eta} left") {

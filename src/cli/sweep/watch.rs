@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 
+use crate::cli::progress;
 use cordon_core::Result;
 use cordon_proof::sweep::run::Progress;
 use cordon_proof::sweep::{Config, StartSpace};
@@ -46,6 +47,7 @@ pub(super) fn watched(
         // Nothing is left to be done where stderr is closed; so below.
         let _ = writeln!(std::io::stderr(), "resumed: {resumed} work items were finished before");
     }
+    progress::shown_elsewhere();
     let began = Instant::now();
     let bar = ProgressBar::new(total);
     let template = format!(

@@ -1,6 +1,6 @@
 //! `cargo xtask verify`.
 
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 
 use crate::verify::matrix::collect;
@@ -62,8 +62,10 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let requested = args.run.as_deref().map_or(Ok(Vec::new()), |list| names("--run", list))?;
     let tiers = chosen(&Context { root: &args.root, run: &requested }, &wanted);
     let matrix = collect(&args.root, &tiers, &records, &theorems, |tier| {
-        // Nothing is lost where stderr is closed.
-        let _ = writeln!(std::io::stderr(), "verify: {tier}");
+        if std::io::stderr().is_terminal() {
+            // Nothing is lost where stderr is closed.
+            let _ = writeln!(std::io::stderr(), "verify: {tier}");
+        }
     });
     match args.format {
         Format::Text => text(&matrix, out)?,

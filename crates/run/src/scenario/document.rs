@@ -33,8 +33,10 @@ pub fn document<T: DeserializeOwned>(source: &Source<'_>) -> Result<(T, Places)>
         let field =
             places.iter().rev().find(|(_, span)| span.start <= at.start && at.end <= span.end);
         match field {
-            Some((name, _)) => source.error(&at, &format!("{name}: {message}")),
-            None => source.error(&at, &message),
+            Some((name, _)) if !message.starts_with("unknown field") => {
+                source.error(&at, &format!("{name}: {message}"))
+            }
+            _ => source.error(&at, &message),
         }
     })?;
     let lines = places.into_iter().map(|(name, at)| (name, source.place(at.start)));

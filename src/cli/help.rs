@@ -1,0 +1,193 @@
+//! What `--help` and completions say beyond the flags: examples, limits, files and numbers.
+
+use clap::builder::{PossibleValue, StringValueParser, TypedValueParser, ValueParser};
+use clap::{Arg, Command, CommandFactory, ValueHint};
+
+use cordon_spec::theorems::Theorem;
+
+use super::Cli;
+
+/// The command line with all of its help.
+pub fn command() -> Command {
+    completed(Cli::command(), "")
+}
+
+/// Examples and limits, by the words of the command.
+const EXAMPLES: [(&str, &str); 22] = [
+    (
+        "trace",
+        "Examples:
+  cordon trace scenarios/paper.toml --check 7.2
+  cordon trace --start 0,10,20,30,100 --eps 1/5 --steps 40 --every 10
+  cordon trace scenarios/paper.toml --at 1000,1000000 --engine digits
+
+Limits: 3 to 1,000,000 drones, 10,000,000 rows, 10,000 decimal places, scenario files of 64 MiB.",
+    ),
+    (
+        "local",
+        "Examples:
+  cordon local scenarios/paper.toml
+  cordon local scenarios/paper.toml --exchange-every 3
+
+Limits: 100,000 ticks.",
+    ),
+    (
+        "swarm",
+        "Example:
+  cordon swarm --drones 1000000 --steps 1000
+
+Limits: 3 to 100,000,000 drones, 1,000,000,000,000 drone updates.",
+    ),
+    (
+        "cosim",
+        "Examples:
+  cordon cosim scenarios/paper.toml
+  cordon cosim scenarios/faults.toml --out run.csv
+  cordon cosim scenarios/paper.toml --format csv | head
+
+Limits: 67,108,864 positions in one run, 10,000,000,000 steps.",
+    ),
+    (
+        "figures",
+        "Examples:
+  cordon figures
+  cordon figures 8,9 --out pictures --format png",
+    ),
+    (
+        "replay",
+        "Examples:
+  cordon replay scenarios/paper.toml --out page.html
+  cordon replay run.csv --out page.html
+
+Limits: run files of 1 GiB.",
+    ),
+    ("fmu", "Example:\n  cordon fmu export plant --out plant.fmu"),
+    (
+        "fmu export",
+        "Examples:
+  cordon fmu export plant --out plant.fmu
+  cordon fmu export coordination --fmi 3 --positions double --out coordination.fmu",
+    ),
+    ("theorems", "Examples:\n  cordon theorems\n  cordon theorems 7.2,7.6ii --format json"),
+    ("errata", "Examples:\n  cordon errata\n  cordon errata 1,4"),
+    (
+        "sweep merge",
+        "Example:
+  cordon sweep merge part-1.jsonl part-2.jsonl --audit 5 --out whole.jsonl
+
+Limits: result files of 1 GiB.",
+    ),
+    (
+        "refute",
+        "Examples:
+  cordon refute 7.2 --drones 4 --eps 3/5
+  cordon refute all --drones 3..5
+  cordon refute 7.2 --activation --drones 4
+  cordon refute --protocol scenarios/own/hasty-coverage.toml
+
+Limits: 3 to 50 drones (12 with --activation), 1,000 steps, denominators up to 100, ranges of eps of \
+length 100.",
+    ),
+    (
+        "prove",
+        "Examples:
+  cordon prove 7.2
+  cordon prove all --out certificates
+  cordon prove 7.2 --drones 4 --eps 0..1
+  cordon prove --protocol scenarios/own/weighted-coverage.toml
+
+Limits: one N up to 1,000,000; protocol files of 4 MiB, 200 drones and 200 comparisons. --degree 5 and \
+more may take hours.",
+    ),
+    (
+        "check",
+        "Example:
+  cordon check proofs/certificates/*.json
+
+Exit codes: 0 all valid, 2 no certificate, 3 incomplete, 4 rejected, 74 not read.",
+    ),
+    (
+        "threshold",
+        "Example:
+  cordon threshold --property convergence --drones 5 --digits 20",
+    ),
+    (
+        "settle",
+        "Examples:
+  cordon settle --drones 5 --eps 1/4 --within 0.01
+  cordon settle --drones 5 --eps 1/4 --within 0.01 --start 0,1,2,3,5
+
+Runs up to 5,000,000 drone updates are executed, longer ones jumped over where eps is at most 1/2. \
+Thousands of drones take a minute.",
+    ),
+    ("export", "Example:\n  cordon export smt2 7.2 --drones 4 | z3 -in"),
+    ("export smt2", "Example:\n  cordon export smt2 7.2 --drones 3..5 --out steps.smt2"),
+    ("export pvs", "Example:\n  cordon export pvs --scenario scenarios/paper.toml --out pvs"),
+    ("export into-cps", "Example:\n  cordon export into-cps scenarios/paper.toml --out swarm"),
+    ("export ssp", "Example:\n  cordon export ssp scenarios/paper.toml --out swarm.ssp"),
+    (
+        "completions",
+        "Example:
+  cordon completions bash > ~/.local/share/bash-completion/completions/cordon",
+    ),
+];
+
+/// The command called `words`, and all below it, with examples, hints and numbers.
+fn completed(command: Command, words: &str) -> Command {
+    let command = command.mut_args(hinted).mut_subcommands(|sub| {
+        let words = format!("{words} {}", sub.get_name());
+        completed(sub, words.trim_start())
+    });
+    match EXAMPLES.iter().find(|(of, _)| *of == words) {
+        None => command,
+        Some((_, examples)) => {
+            let before = command.get_after_help().map(ToString::to_string);
+            let text = before.map_or((*examples).to_owned(), |b| format!("{b}\n\n{examples}"));
+            command.after_help(text)
+        }
+    }
+}
+
+fn hinted(arg: Arg) -> Arg {
+    let names = arg.get_value_names().unwrap_or_default();
+    let hint = match names.first().map(|n| n.as_str()) {
+        Some("DIR") => ValueHint::DirPath,
+        Some("FILE" | "FILES" | "FILE.fmu" | "RUN" | "SCENARIO" | "PATH") => ValueHint::FilePath,
+        _ => ValueHint::Unknown,
+    };
+    let is_theorems = matches!(arg.get_id().as_str(), "theorems" | "theorem" | "check")
+        || names.first().is_some_and(|n| n.as_str() == "NUMBERS") && is_text(&arg);
+    let arg = arg.value_hint(hint);
+    if is_theorems {
+        arg.value_parser(ValueParser::new(Theorems)).hide_possible_values(true)
+    } else {
+        arg
+    }
+}
+
+/// Whether the flag takes a text, and no list of numbers.
+fn is_text(arg: &Arg) -> bool {
+    arg.get_value_parser().type_id() == std::any::TypeId::of::<String>()
+}
+
+/// A list of theorems: any text, judged later; completions offer the numbers.
+#[derive(Clone)]
+struct Theorems;
+
+impl TypedValueParser for Theorems {
+    type Value = String;
+
+    fn parse_ref(
+        &self,
+        command: &Command,
+        arg: Option<&Arg>,
+        value: &std::ffi::OsStr,
+    ) -> Result<String, clap::Error> {
+        StringValueParser::new().parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let numbers = Theorem::ALL.iter().map(|t| PossibleValue::new(t.number()));
+        Some(Box::new(numbers.chain([PossibleValue::new("all")])))
+    }
+}

@@ -1,0 +1,116 @@
+//! Signs of life of work over two seconds: on a terminal, nothing elsewhere.
+
+use std::io::{self, IsTerminal, Write};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// From when on work is long.
+const LONG: Duration = Duration::from_secs(2);
+
+/// How often it is drawn.
+const REFRESH: Duration = Duration::from_millis(200);
+
+static DONE: AtomicU64 = AtomicU64::new(0);
+static TOTAL: AtomicU64 = AtomicU64::new(0);
+static ELSEWHERE: AtomicBool = AtomicBool::new(false);
+
+/// The command has this many pieces of work. Without it time alone is shown.
+pub fn expect(total: usize) {
+    TOTAL.store(total as u64, Relaxed);
+}
+
+/// One piece is done.
+pub fn advance() {
+    DONE.fetch_add(1, Relaxed);
+}
+
+/// The command shows its progress itself.
+pub fn shown_elsewhere() {
+    ELSEWHERE.store(true, Relaxed);
+}
+
+/// Draws until it is dropped.
+pub struct Heartbeat {
+    bar: ProgressBar,
+    ended: Option<Sender<()>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Heartbeat {
+    /// Begins to wait; `None` where stderr is no terminal.
+    pub fn start() -> Option<Self> {
+        if !io::stderr().is_terminal() {
+            return None;
+        }
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
+        let (ended, waiting) = channel::<()>();
+        let drawn = bar.clone();
+        let thread = std::thread::spawn(move || {
+            let mut pause = LONG;
+            while waiting.recv_timeout(pause) == Err(RecvTimeoutError::Timeout) {
+                if pause == LONG && !ELSEWHERE.load(Relaxed) {
+                    drawn.set_draw_target(ProgressDrawTarget::stderr());
+                }
+                pause = REFRESH;
+                draw(&drawn);
+            }
+        });
+        Some(Self { bar, ended: Some(ended), thread: Some(thread) })
+    }
+}
+
+fn draw(bar: &ProgressBar) {
+    let total = TOTAL.load(Relaxed);
+    let template = if total > 1 {
+        bar.set_length(total);
+        bar.set_position(DONE.load(Relaxed));
+        "{wide_bar} {pos} of {len}, {per_sec}, {eta} left"
+    } else {
+        "{spinner} at work for {elapsed}"
+    };
+    // A template of our own that does not parse leaves the usual bar.
+    if let Ok(style) = ProgressStyle::with_template(template) {
+        bar.set_style(style);
+    }
+    bar.tick();
+}
+
+impl Drop for Heartbeat {
+    fn drop(&mut self) {
+        drop(self.ended.take());
+        if let Some(thread) = self.thread.take() {
+            // A thread that has panicked draws no more.
+            let _ = thread.join();
+        }
+        self.bar.finish_and_clear();
+    }
+}
+
+/// A stream that may share the terminal with the heartbeat: the line is cleared while it is
+/// written.
+pub struct Beside<'h, W> {
+    /// The stream.
+    pub stream: W,
+    /// What is drawn, if anything is.
+    pub heartbeat: Option<&'h Heartbeat>,
+}
+
+impl<W: Write> Write for Beside<'_, W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self.heartbeat {
+            Some(heartbeat) => heartbeat.bar.suspend(|| self.stream.write(bytes)),
+            None => self.stream.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self.heartbeat {
+            Some(heartbeat) => heartbeat.bar.suspend(|| self.stream.flush()),
+            None => self.stream.flush(),
+        }
+    }
+}

@@ -154,6 +154,41 @@ fn spec_and_mirrors_have_the_same_definitions() {
     }
 }
 
+/// Every row of Lean's table is compared by Lean itself: `lake build` prints nothing of a theorem
+/// that `Listed.lean` leaves out.
+#[test]
+fn lean_compares_every_row_of_its_table() {
+    let folder = common::root().join("lean-mirror");
+    let table = std::fs::read_to_string(folder.join("theorems.tsv")).unwrap();
+    let listed = std::fs::read_to_string(folder.join("CordonMirror/Listed.lean")).unwrap();
+    let library = std::fs::read_to_string(folder.join("CordonMirror.lean")).unwrap();
+    let mut rows = 0;
+    for row in table.lines().skip(1) {
+        let [_, _, theorem, file, _] = row.split('\t').collect::<Vec<_>>()[..] else {
+            panic!("five columns: `{row}`");
+        };
+        let text = std::fs::read_to_string(folder.join(file)).unwrap();
+        assert!(text.contains(&format!("\ntheorem {theorem} ")), "{file}: no `{theorem}`");
+        let axioms = "depends on axioms: [propext, Classical.choice, Quot.sound]";
+        for expected in [
+            format!("\n#guard_msgs in\n#check @{theorem}\n"),
+            format!("\n#guard_msgs in\n#print axioms {theorem}\n"),
+            format!("info: 'CordonMirror.{theorem}' {axioms}\n"),
+        ] {
+            assert!(listed.contains(&expected), "Listed.lean: no `{}`", expected.trim());
+        }
+        rows += 1;
+    }
+    assert_eq!(listed.matches("#check @").count(), rows);
+    assert!(rows >= 41, "{rows} rows");
+    // What the library does not import is not built.
+    for path in files(&folder.join("CordonMirror"), "lean") {
+        let module = path.strip_prefix(&folder).unwrap().with_extension("");
+        let module = module.to_str().unwrap().replace('/', ".");
+        assert!(library.contains(&format!("import {module}\n")), "{module} is not imported");
+    }
+}
+
 #[test]
 fn the_spec_is_read_whole() {
     let public = spec_items(true);

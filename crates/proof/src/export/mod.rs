@@ -2,7 +2,7 @@
 //!
 //! Formulas about the protocol are never written here a second time where the spec can be
 //! executed instead: the SMT-LIB text is what `exec_coverage` and the theorems' predicates
-//! compute on terms ([`term`], [`decision`]). PVS, a specification language of its own, is a
+//! compute on terms (`term`, `decision`). PVS, a specification language of its own, is a
 //! mirror with generated parts ([`pvs`]).
 
 pub mod conjecture;

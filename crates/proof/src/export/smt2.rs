@@ -9,7 +9,7 @@
 //! * *identity*: the equation behind 7.5, for every weight and every start.
 //!
 //! Each is written negated, so that `unsat` proves it. The formulas are what the spec computes
-//! on terms: [`super::term`] and [`super::decision`].
+//! on terms: `term` and `decision`.
 
 use std::fmt::Write as _;
 use std::rc::Rc;

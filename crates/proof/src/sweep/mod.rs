@@ -6,28 +6,29 @@
 //!
 //! * **exhaustive on a grid** ([`exhaust`]): every integer start of the theorem's start set on a
 //!   grid, every step k up to a last one, in machine integers of a proved range;
-//! * **complete for all starts** ([`complete`]): the step is linear in the start, so that the
-//!   theorem holds of all real starts exactly when finitely many numbers have the right sign.
+//! * **complete for all starts** (the start set's generators, stepped exactly): the step is
+//!   linear in the start, so that the theorem holds of all real starts exactly when finitely
+//!   many numbers have the right sign.
 //!
 //! Where a grid is too large, random starts on it give evidence of the kind "sampled".
 
-pub mod complete;
+mod complete;
 pub mod config;
 mod consistent;
 pub mod exhaust;
-pub mod finding;
+mod finding;
 pub mod grid;
 pub mod kernel;
 pub mod machine;
 pub mod merge;
-pub mod minimise;
+mod minimise;
 pub mod range;
 pub mod run;
-pub mod sample;
+mod sample;
 pub mod store;
 pub mod summary;
-pub mod weights;
+mod weights;
 
 pub use config::{Config, Item, StartSpace};
-pub use finding::{Counts, Finding, Judgement};
+pub use finding::{Counts, Finding, Judgement, Witness};
 pub use weights::WeightSet;

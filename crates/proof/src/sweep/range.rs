@@ -11,7 +11,7 @@
 //!
 //! * (N-1) T_i is at most 3(N-1) V, errors times N-1 at most 4(N-1) V, doubled sums at most
 //!   2N V: all within 4N V.
-//! * 7.8 squares errors ([`degree`] is 2): N squares of at most (4(N-1) V)^2, within
+//! * 7.8 squares errors (`degree` is 2): N squares of at most (4(N-1) V)^2, within
 //!   16 N^3 V^2; its rate multiplies an error by (N-1)^2 den + 8|num| and by a contraction
 //!   weight of at most N^2: within 4N V * N^2 * (N^2 den + 8|num|).
 //!

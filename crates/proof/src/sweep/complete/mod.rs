@@ -37,7 +37,7 @@
 //! Where neither is so the case is undecided, and the finding says why.
 
 mod decide;
-pub mod matrix;
+mod matrix;
 
 use cordon_spec::theorems::{Setting, Verdict};
 use num_bigint::BigInt;

@@ -7,10 +7,10 @@
 //!
 //! | question | function | its evidence |
 //! |---|---|---|
-//! | Where is every drone after each step? | [`trace`] | the spec, executed on rationals |
+//! | Where is every drone after each step? | [`trace()`] | the spec, executed on rationals |
 //! | And after step 1,000,000? | [`jump`] | the same fractions, without the steps between |
 //! | Does a theorem hold along this run? | [`check_run`] | this run only |
-//! | Is there a start from which it fails? | [`refute`] | a counterexample that replays |
+//! | Is there a start from which it fails? | [`refute()`] | a counterexample that replays |
 //! | Is it true for every swarm? | [`prove`], [`check_certificate`] | a certificate, and the independent checker's word on it |
 //! | How do the drones fly? | [`fly`] | one co-simulated run |
 //!

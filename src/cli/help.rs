@@ -96,8 +96,7 @@ length 100.",
   cordon prove 7.2 --drones 4 --eps 0..1
   cordon prove --protocol scenarios/own/weighted-coverage.toml
 
-Limits: one N up to 1,000,000; protocol files of 4 MiB, 200 drones and 200 comparisons. --degree 5 and \
-more may take hours.",
+Limits: one N up to 1,000,000; protocol files of 4 MiB, 200 drones and 200 comparisons.",
     ),
     (
         "check",

@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::select::OutputFormat;
 use super::table::{self, abridged};
 use cordon_core::exact::fraction;
+use cordon_core::text::shell_word;
 use cordon_core::{Error, Evidence, Outcome, Rational, Result};
 use cordon_proof::certificate::{self, REJECTED};
 use cordon_proof::counterexample::list;
@@ -245,7 +246,7 @@ fn replay_line(path: &Path, run: &Run) -> String {
     let start = run.placements.first().map_or_else(String::new, |x| list(x));
     format!(
         "cordon refute --protocol {} --eps {} --steps {} --start={start}",
-        path.display(),
+        shell_word(&path.display().to_string()),
         fraction(&run.eps),
         run.step,
     )

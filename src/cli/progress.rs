@@ -23,6 +23,12 @@ pub fn expect(total: usize) {
     TOTAL.store(total as u64, Relaxed);
 }
 
+/// Says on stderr, before it begins, that work is going to be long.
+pub fn announce(what: &str) {
+    // Nothing is left to be done where stderr is closed.
+    let _ = writeln!(io::stderr(), "note: {what}");
+}
+
 /// One piece is done.
 pub fn advance() {
     DONE.fetch_add(1, Relaxed);

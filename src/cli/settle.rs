@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use serde_json::{Value, json};
 
+use super::progress;
 use super::scenario_args::positions;
 use super::select::OutputFormat;
 use cordon_core::exact::{self, decimal_string, fraction};
@@ -37,6 +38,9 @@ pub struct Args {
     format: OutputFormat,
 }
 
+/// Numbers of drones up to this take seconds.
+const QUICK: usize = 2_000;
+
 /// Finds the settling step.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let eps = exact::parse("eps", &args.eps)?;
@@ -55,6 +59,9 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             Starts::One(start)
         }
     };
+    if args.drones > QUICK {
+        progress::announce(&format!("{} drones: this may take some minutes", args.drones));
+    }
     let found = settling(&starts, &eps, &within)?;
     let (name, certificate) = match &found {
         Settling::Settles { proved, .. } => ("contraction", contraction(args.drones, &eps, proved)),

@@ -248,3 +248,18 @@ fn numbers_of_any_size_are_read_exactly() {
     assert!(row.contains(",1461501637330902918203684832716283019655932542975,"), "{row}");
     assert!(row.contains(&format!(",-1/2{},", "0".repeat(400))), "{row}");
 }
+
+#[test]
+fn a_replay_line_can_be_pasted_into_a_shell() {
+    let folder = Folder::new();
+    let text = fs::read("scenarios/own/hasty-coverage.toml").unwrap();
+    let path = folder.with("it's hasty.toml", text);
+    let (code, out, err) = run(&["refute", "--protocol", &path]);
+    assert_eq!(code, 1, "{err}");
+    let line = out.lines().find_map(|l| l.trim().strip_prefix("replay: cordon ")).unwrap();
+    let program = cordon().get_program().to_owned();
+    let shell = format!("exec \"$0\" {line}");
+    let again =
+        std::process::Command::new("sh").arg("-c").arg(shell).arg(program).output().unwrap();
+    assert_eq!(again.status.code(), Some(1), "{}", String::from_utf8_lossy(&again.stderr));
+}

@@ -208,7 +208,7 @@ fn result_files_of_sweeps() {
     assert_eq!(crate::common::run(&call).0, 1);
     let good = fs::read(&path).unwrap();
     let merge = |path: &Path| cordon_proof::sweep::merge::merge(&[path.to_owned()]);
-    smoke("sweep", &[good.clone()], through_file("sweep.jsonl", results::read));
+    smoke("sweep", std::slice::from_ref(&good), through_file("sweep.jsonl", results::read));
     // Every line is held against the others: hardly a mutation passes.
     let merged = through_file("sweep.jsonl", merge);
     smoke("merge", &[good], |bytes| merged(bytes));

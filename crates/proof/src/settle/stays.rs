@@ -36,7 +36,7 @@ pub(super) fn decide(runs: &Runs, within: &Rational) -> Option<Stays> {
 fn errors(start: &[Rational]) -> Vec<Rational> {
     let (min, max) = super::ends(start);
     let scale = Rational::from_integer((start.len() - 1).into());
-    let error = |i| cordon_spec::placement::scaled_error(&min, &max, &start.to_vec(), i) / &scale;
+    let error = |i| cordon_spec::placement::scaled_error(&min, &max, start, i) / &scale;
     (1..start.len() - 1).map(error).collect()
 }
 

@@ -142,6 +142,9 @@ impl Window {
     }
 }
 
+/// A theorem that is about other starts, and the starts that it is about, in words.
+pub type Foreign = (Theorem, &'static str);
+
 /// Of the theorems, those that are about the scenario's start; and what the others are about.
 ///
 /// # Errors
@@ -150,7 +153,7 @@ pub fn applicable(
     scenario: &Scenario,
     theorems: &[Theorem],
     form: Form,
-) -> Result<(Vec<Theorem>, Vec<(Theorem, &'static str)>)> {
+) -> Result<(Vec<Theorem>, Vec<Foreign>)> {
     let Some(setting) = scenario.setting() else {
         return Ok((theorems.to_vec(), Vec::new()));
     };

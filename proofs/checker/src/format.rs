@@ -400,7 +400,7 @@ pub enum Kind {
     /// By a vector.
     Growth(Growth),
     /// By a run.
-    Refutation(Refutation),
+    Refutation(Box<Refutation>),
     /// By Farkas' lemma.
     Invariance(Invariance),
 }

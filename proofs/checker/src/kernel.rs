@@ -177,7 +177,9 @@ impl Kernel {
                 given.insert("from".into(), Literal { poly: bound, relation: NonNegative });
                 let terms: Vec<Poly> = parameters.iter().map(|(p, _)| Poly::var(p)).collect();
                 let name = name.clone();
-                value = Box::new(move |at| Poly::app(&name, &[&terms[..], &[at.clone()]].concat()));
+                value = Box::new(move |at| {
+                    Poly::app(&name, &[&terms[..], std::slice::from_ref(at)].concat())
+                });
                 (parameters.to_vec(), Some(last.0.clone()))
             }
         };

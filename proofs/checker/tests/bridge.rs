@@ -225,7 +225,8 @@ fn hypotheses_are_those_of_the_spec() {
 }
 
 fn quotient(n: usize, d: usize) -> String {
-    let divisor = (1..=n.max(1)).rev().find(|g| n % g == 0 && d % g == 0).unwrap();
+    let divisor =
+        (1..=n.max(1)).rev().find(|g| n.is_multiple_of(*g) && d.is_multiple_of(*g)).unwrap();
     match (n / divisor, d / divisor) {
         (0, _) => "0".into(),
         (n, 1) => n.to_string(),

@@ -386,7 +386,7 @@ fn large(sheet: &mut Sheet) {
     sheet.conclude(clause("LARGE.nonnegative", "", &[ge], "rate >= 0"), nonnegative);
     sheet.conclude(
         clause("LARGE.rate", "", &[], "rate < 1"),
-        positivity_times(&["Z"], &[minor.clone()], "[m] - [RATE]"),
+        positivity_times(&["Z"], std::slice::from_ref(&minor), "[m] - [RATE]"),
     );
     let step = instance("rs", "r.step", "k=k", "from=[k]");
     sheet.lemma(
@@ -525,11 +525,10 @@ pub fn beyond(scope: &Scope) -> Option<Sheet> {
         instance(n, "IH", &format!("t=k, i={i}, m={m}"), &format!("k=[k], t=0, {given}"))
     };
     let (zero, one) = ("m=0, e=1, b=0", "m=1, e=0");
-    let signs = format!(
-        "eps*({})*([ga] - [gb]) + (1-2*eps)*({})*[ga] - last*g(k+i+1)*[h]",
-        error("k", "i-1"),
-        error("k", "i")
-    );
+    let signs = |i: &str| {
+        let (before, here) = (error("k", &format!("{i}-1")), error("k", i));
+        format!("eps*({before})*([ga] - [gb]) + (1-2*eps)*({here})*[ga] - last*g(k+{i}+1)*[h]")
+    };
     let step = |i: &str, signs: &str, rest: [Value; 3], more: &[Value], sum: &str| {
         let mut used = vec![
             instance(
@@ -554,7 +553,7 @@ pub fn beyond(scope: &Scope) -> Option<Sheet> {
         positivity(&[instance("z", "ENDL", "k=k + 1", "k=[k] + 1")], "-last*g(k+1+last)*[z]"),
         step(
             "i",
-            &signs,
+            &signs("i"),
             [
                 at("l", "i - 1", "0", &format!("{zero}, i=[i], u=[u] + 2")),
                 at("o", "i", "0", &format!("{zero}, i=[i] + 1, u=[u] + 1")),
@@ -577,11 +576,7 @@ pub fn beyond(scope: &Scope) -> Option<Sheet> {
             "i",
             step(
                 "j",
-                &signs
-                    .replace("k,i", "k,j")
-                    .replace("+i", "+j")
-                    .replace("(i", "(j")
-                    .replace("+ (j)", "+ (j)"),
+                &signs("j"),
                 [
                     at("l", "j - 1", "1", &format!("{one}, b=1, i=[j], u=[room] + 2")),
                     at("o", "j", "1", &format!("{one}, b=0, i=[j] + 1, u=[room] + 1")),
@@ -592,7 +587,7 @@ pub fn beyond(scope: &Scope) -> Option<Sheet> {
             ),
             step(
                 "i",
-                &signs,
+                &signs("i"),
                 [
                     at("l", "i - 1", "1", &format!("{one}, b=[b] + 2, i=[i], u=[u] + 2")),
                     at("o", "i", "1", &format!("{one}, b=[b] + 1, i=[i] + 1, u=[u] + 1")),

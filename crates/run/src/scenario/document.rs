@@ -51,10 +51,11 @@ fn keep_digits(value: &mut DeValue<'_>) {
                 *value = DeValue::String(n.to_string().into());
             }
         }
-        DeValue::Float(x) if x.as_str().parse::<f64>().is_ok_and(f64::is_infinite) => {
-            if !x.as_str().contains("inf") {
-                *value = DeValue::String(x.as_str().to_owned().into());
-            }
+        DeValue::Float(x)
+            if x.as_str().parse::<f64>().is_ok_and(f64::is_infinite)
+                && !x.as_str().contains("inf") =>
+        {
+            *value = DeValue::String(x.as_str().to_owned().into());
         }
         DeValue::Array(list) => list.iter_mut().for_each(|v| keep_digits(v.get_mut())),
         DeValue::Table(table) => table.iter_mut().for_each(|(_, v)| keep_digits(v.get_mut())),

@@ -142,6 +142,9 @@ impl Window {
     }
 }
 
+/// Theorems that are not about a start, and what each is about.
+type NotApplicable = Vec<(Theorem, &'static str)>;
+
 /// Of the theorems, those that are about the scenario's start; and what the others are about.
 ///
 /// # Errors
@@ -150,7 +153,7 @@ pub fn applicable(
     scenario: &Scenario,
     theorems: &[Theorem],
     form: Form,
-) -> Result<(Vec<Theorem>, Vec<(Theorem, &'static str)>)> {
+) -> Result<(Vec<Theorem>, NotApplicable)> {
     let Some(setting) = scenario.setting() else {
         return Ok((theorems.to_vec(), Vec::new()));
     };

@@ -18,7 +18,9 @@ pub fn lines(rows: &[Vec<String>], left: impl Fn(usize) -> bool) -> Vec<String> 
 
 fn line(row: &[String], widths: &[usize], left: impl Fn(usize) -> bool) -> String {
     let cells = row.iter().zip(widths).enumerate().map(|(i, (cell, &width))| {
-        if left(i) { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
+        // Not by a format's width, which ends at 65,535.
+        let blanks = " ".repeat(width.saturating_sub(cell.chars().count()));
+        if left(i) { format!("{cell}{blanks}") } else { format!("{blanks}{cell}") }
     });
     cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()
 }
@@ -114,6 +116,14 @@ mod tests {
     use std::io;
 
     use super::*;
+
+    #[test]
+    fn columns_may_be_wider_than_a_format_allows() {
+        let rows = [vec!["x0".to_owned()], vec!["7".repeat(70_000)]];
+        let lines = lines(&rows, |_| false);
+        assert_eq!(lines[0].len(), 70_000);
+        assert!(lines[0].ends_with(" x0"));
+    }
 
     #[test]
     fn known_widths_make_the_same_table() {

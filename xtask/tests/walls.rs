@@ -17,7 +17,8 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("cordon-core", &["cordon-spec"]),
     ("cordon-run", &["cordon-spec", "cordon-core"]),
     ("cordon-proof", &["cordon-spec", "cordon-check", "cordon-core", "cordon-run"]),
-    ("cordon-cosim", &["cordon-spec", "cordon-core", "cordon-run"]),
+    ("cordon-fmi", &[]),
+    ("cordon-cosim", &["cordon-spec", "cordon-core", "cordon-run", "cordon-fmi"]),
     ("cordon-fmu", &["cordon-cosim"]),
     ("cordon-paper", &["cordon-spec", "cordon-core", "cordon-run", "cordon-cosim"]),
     (
@@ -51,6 +52,7 @@ const KEPT: &[(&str, &[&str])] = &[
     ("plotters", &["cordon-paper"]),
     ("image", &["cordon-paper"]),
     ("quick-xml", &["cordon-cosim"]),
+    ("libloading", &["cordon-fmi"]),
 ];
 
 fn metadata() -> Value {

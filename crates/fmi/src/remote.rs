@@ -22,7 +22,7 @@ pub struct Remote {
 }
 
 impl Remote {
-    /// Starts the program, which has to call [`serve`], and has it make the instance. A call that
+    /// Starts the program, which has to call [`serve`](crate::host::serve), and has it make the instance. A call that
     /// takes longer than `limit` is given up.
     ///
     /// # Errors

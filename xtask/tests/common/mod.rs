@@ -1,6 +1,6 @@
 //! Tools that a test tier needs and a machine may lack.
 
-#![allow(dead_code)] // each test file uses its part
+#![allow(dead_code, clippy::unwrap_used, clippy::expect_used, clippy::panic)] // each test file uses its part
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

@@ -128,5 +128,7 @@ fn long_runs_are_judged_or_given_up() {
     // The hypothesis of 7.8 and its rate are work, too.
     let hypothesis = run("7.8", 400, 0, &fraction(100, 5)).replace(",\"weights\":\"any\"", "");
     overworked("the minors of the critical weight", &hypothesis);
-    overworked("the rate", &run("7.8", 700, 0, "1/3"));
+    let verdict = check(&run("7.8", 700, 0, "1/3"));
+    assert!(matches!(verdict, Verdict::Invalid { rule: "refutation", .. }), "{verdict}");
+    assert!(done() > 1_000_000, "the rate of 7.8 is counted: {}", done());
 }

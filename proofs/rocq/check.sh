@@ -72,7 +72,7 @@ while IFS=$'\t' read -r id form theorem file statement; do
 done < "$work/rows"
 cut -f1,2 "$work/rows" | sort | uniq -d | sed 's/^/twice: /' >> "$work/findings"
 for id in 7.2 7.3 7.4i 7.4ii 7.5 7.5i 7.5ii 7.6i 7.6ii 7.7 7.8 certificate ticks projection \
-  activation delay consensus formation execution finite; do
+  activation delay consensus formation execution finite kernel; do
   cut -f1 "$work/rows" | grep -qxF "$id" || echo "no row for $id" >> "$work/findings"
 done
 verdict "theorems.tsv names theorems that exist, about everything that is claimed"

@@ -66,7 +66,7 @@ fn check_has_one_exit_code_a_verdict() {
         assert_eq!(cordon(&["check", &good, &bad(file)]).0, code, "{file}");
     }
     let (status, out, err) = cordon(&["check", "no-such-file.json"]);
-    assert_eq!((status, out.as_str()), (74, ""));
+    assert_eq!((status, out.as_str()), (74, "no-such-file.json: not read\n"));
     assert!(err.contains("cannot read `no-such-file.json`"), "{err}");
     assert_eq!(cordon(&["check"]).0, 2);
 }
@@ -112,8 +112,8 @@ fn prove_ends_with_the_verdict_it_found() {
 fn prove_says_what_is_wrong_with_its_input() {
     let cases: [(&[&str], &str); 6] = [
         (&["7.9"], "claim: `7.9` is unknown: expected `all` or some of 7.2"),
-        (&["7.3", "--eps", "1/2"], "--eps: `1/2`: expected an interval like 0..1/2"),
-        (&["7.3", "--eps", "1/2..0"], "--eps: `1/2..0`: expected a lower end first"),
+        (&["7.3", "--eps", "(0,1/2]"], "--eps: `(0,1/2]`: expected a range with both ends"),
+        (&["7.3", "--eps", "1/2..0"], "--eps: `1/2..0`: expected a range that is not empty"),
         (&["7.3", "--eps", "0..1/0"], "--eps: `1/0` divides by zero"),
         (&["7.3", "--drones", "2"], "--drones: `2`: expected `any` or a number from 3"),
         (&["7.3", "--drones", "few"], "--drones: `few`: expected `any`"),

@@ -255,8 +255,9 @@ fn certificates_are_judged_again() {
         "{\"schema\": \"cordon-certificate/2\", \"certificate\": {\"theorem\": \
          {\"claim\": \"7.2\", \"form\": \"sharp\", \"proofs\": []}}}",
     );
-    let page = repo.json(&["7.2,7.3", "--tiers", "certificate"], 0);
-    assert_eq!(cell(&page, "certificate", "7.2")["result"], "inconclusive");
+    let page = repo.json(&["7.2,7.3", "--tiers", "certificate"], 4);
+    let said = page["tiers"][0]["problems"][0].as_str().unwrap();
+    assert!(said.starts_with("rejected: empty.json: "), "{said}");
     assert_eq!(cell(&page, "certificate", "7.3")["status"], "not run");
 }
 

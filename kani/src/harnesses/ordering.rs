@@ -17,8 +17,6 @@ const FUNCTIONS: &[&str] = &[
     "drone_map::DroneMap::lambda",
     "drone_map::DroneMap::count",
     "theorems::Theorem::hypothesis",
-    "theorems::Theorem::statement",
-    "theorems::Theorem::text",
     "theorems::Theorem::span",
     "theorems::Theorem::conclusion",
     "theorems::ordering::conclusion",

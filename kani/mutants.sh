@@ -25,8 +25,8 @@ unviable=$(count "$found/unviable.txt")
 
 if [ "$(count "$found/missed.txt")" -gt 0 ]; then
     cargo mutants --package cordon-spec --iterate --jobs 1 --timeout 300 --output "$folder" \
-        --cargo-arg=--package=cordon \
-        -- --test engines --test cli --test sweeps
+        --cargo-arg=--package=cordon --cargo-arg=--package=cordon-spec \
+        -- --test protocol --test engines --test cli --test sweeps
 fi
 tests=$(count "$found/caught.txt" "$found/timeout.txt")
 [ -d "$folder/mutants.out.old" ] || tests=0

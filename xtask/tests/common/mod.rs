@@ -1,7 +1,12 @@
-//! Tools that a test tier needs and a machine may lack.
+//! The program `xtask`, run for what it prints.
 
-#![allow(dead_code, clippy::unwrap_used, clippy::expect_used, clippy::panic)] // each test file uses its part
+#![allow(dead_code, unused_imports, clippy::unwrap_used, clippy::expect_used, clippy::panic)] // each test file uses its part
 
+#[path = "../../../tests/common/outputs.rs"]
+mod outputs;
+
+pub use outputs::{has_tool, missing};
+use outputs::{stderr, stdout};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -31,34 +36,12 @@ pub fn run(args: &[&str]) -> (i32, String, String) {
 
 /// What a successful run printed.
 pub fn stdout_of(args: &[&str]) -> String {
-    let out = xtask(args);
-    assert!(out.status.success(), "{args:?}: {}", String::from_utf8_lossy(&out.stderr));
-    String::from_utf8(out.stdout).expect("UTF-8")
+    stdout(args, xtask(args))
 }
 
 /// What a run that ended with `code` said on stderr.
 pub fn stderr_of(args: &[&str], code: i32) -> String {
-    let out = xtask(args);
-    assert_eq!(out.status.code(), Some(code), "{args:?}: {}", String::from_utf8_lossy(&out.stdout));
-    assert!(out.stdout.is_empty(), "{args:?}: stdout carries the result only");
-    String::from_utf8(out.stderr).expect("UTF-8")
-}
-
-/// Whether `tool` answers `--version`. Where it does not, the tier is not run, and says so.
-pub fn has_tool(tool: &str, tier: &str) -> bool {
-    let found = Command::new(tool).arg("--version").output().is_ok_and(|o| o.status.success());
-    if !found {
-        missing(tier, tool);
-    }
-    found
-}
-
-/// Says that a part of a test did not run for want of `what`. With CORDON_REQUIRE_TOOLS=1 (set
-/// in CI) that is a failure.
-pub fn missing(tier: &str, what: &str) {
-    let required = std::env::var_os("CORDON_REQUIRE_TOOLS").is_some_and(|v| v == "1");
-    assert!(!required, "{tier}: `{what}` is missing, and CORDON_REQUIRE_TOOLS=1");
-    eprintln!("{tier}: NOT RUN: `{what}` is missing");
+    stderr(args, code, xtask(args))
 }
 
 /// The files with this ending in a folder and the folders below it, sorted.

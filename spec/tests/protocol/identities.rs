@@ -1,5 +1,5 @@
 //! Identities of the protocol, on generated starts and weights (sampled).
-use crate::common::{for_cases, params_for, placements, q, rational, start, weight};
+use crate::placements::{for_cases, params_for, placements, q, rational, start, weight};
 use cordon_core::Rational;
 use cordon_core::scalar::{Modulus, Polynomial};
 use cordon_spec::activation::exec_coverage_active;

@@ -1,7 +1,7 @@
 //! Ticks, phases and periods (PROTOCOL section 1).
 use std::num::NonZeroU32;
 
-use crate::common::{params_for, placements, q, qs};
+use crate::placements::{params_for, placements, q, qs};
 use cordon_spec::coverage::kth_step;
 use cordon_spec::local::{LocalParams, TickRatio, fmu_kth_step, fmu_tick, project};
 use cordon_spec::{Phase, State};

@@ -1,6 +1,6 @@
 //! Every theorem's predicates, in both forms: a run that they accept, one that they reject,
 //! and the edges of every hypothesis. What must fail, must go on failing.
-use crate::common::{params_for, placements, q, qs};
+use crate::placements::{params_for, placements, q, qs};
 use cordon_core::Rational;
 use cordon_core::linear::enclosure::Enclosure;
 use cordon_spec::theorems::{

@@ -157,5 +157,5 @@ fn prove<'t>(t: &'t Theorem, step: &mut &'t str) -> Result<(String, usize), Faul
     if t.proof.conclusions.0.len() != s.conclusions.len() || s.conclusions.is_empty() {
         return fault("conclusion", "a proof of nothing that the statement says");
     }
-    Ok((words.join("; "), proved))
+    Ok((words.join("\n  "), proved))
 }

@@ -101,9 +101,12 @@ pub fn install(system: &System, kernel: &mut Kernel) -> Result<String> {
         }
     }
     let drones = system.drones.map_or("every N >= 3".into(), |n| format!("N = {n}"));
-    let hypothesis = b.words.join("; ");
+    let hypothesis = match b.words.as_slice() {
+        [] => String::new(),
+        words => format!("\n  given: {}", words.join("; ")),
+    };
     Ok(format!(
-        "{} with {} steps, {drones}, last = N - 1: {hypothesis}",
+        "{} with {} steps, {drones}, last = N - 1{hypothesis}",
         system.protocol, system.steps
     ))
 }

@@ -2,7 +2,7 @@
 //! (`cordon-check`) has accepted it.
 //!
 //! The search knows one strategy a shape of theorem: induction over steps with cases over the
-//! drones ([`invariants`]), telescoping sums and fronts ([`sums`]), contraction ([`limit`]). The range
+//! drones (`invariants`), telescoping sums and fronts (`sums`), contraction (`limit`). The range
 //! of weights and the number of drones are filled in.
 
 mod builder;

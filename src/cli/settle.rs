@@ -186,7 +186,7 @@ fn text(args: &Args, found: &Settling, out: &mut dyn Write) -> Result<()> {
         Settling::Stays(step) => {
             writeln!(
                 out,
-                "  true    step {step:<8} within the distance for ever, without converging to the targets"
+                "  true    step {step:<8} within the distance for ever, though not every start converges at this weight"
             )?;
         }
         Settling::NeverFromThisStart => {
@@ -196,7 +196,7 @@ fn text(args: &Args, found: &Settling, out: &mut dyn Write) -> Result<()> {
             )?;
         }
         Settling::Undecided => {
-            writeln!(out, "  not decided: the weight is too near the critical one")?;
+            writeln!(out, "  not decided: the weight is too near 0 or the critical one")?;
         }
     }
     Ok(())

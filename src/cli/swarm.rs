@@ -76,7 +76,10 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
 fn drones_shown(args: &Args) -> Result<Vec<usize>> {
     let last = args.drones - 1;
     if args.show.is_empty() {
-        return Ok((0..=4).map(|quarter| last / 4 * quarter + last % 4 * quarter / 4).collect());
+        let mut shown: Vec<usize> =
+            (0..=4).map(|quarter| last / 4 * quarter + last % 4 * quarter / 4).collect();
+        shown.dedup();
+        return Ok(shown);
     }
     match args.show.iter().find(|&&i| i > last) {
         Some(i) => Err(Error::input(format!("show: `{i}`: expected a drone from 0 to {last}"))),

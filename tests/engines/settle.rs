@@ -203,7 +203,7 @@ fn from_the_command_line() {
     let stays = ["settle", "--drones", "3", "--eps", "1", "--within", "100"];
     let (code, out, _) = run(&stays);
     assert_eq!(code, 0);
-    assert!(out.contains("true    step 0 ") && out.contains("without converging"), "{out}");
+    assert!(out.contains("true    step 0 ") && out.contains("not every start converges"), "{out}");
     let (code, out, _) = run(&[&stays[..], &["--format", "json"]].concat());
     assert_eq!((code, out.contains("\"settles\": true")), (0, true));
     let never = ["settle", "--drones", "3", "--eps", "1", "--within", "0.1", "--start", "0,1,4"];

@@ -123,7 +123,7 @@ impl Counterexample {
             "step": self.step,
             "fails": self.what_fails(),
             "run": self.run.iter().map(|x| x.iter().map(fraction).collect()).collect::<Vec<Vec<_>>>(),
-            "replay": self.replay_line(),
+            "replay": matches!(self.departure, Departure::None).then(|| self.replay_line()),
         })
     }
 }

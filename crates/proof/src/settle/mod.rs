@@ -124,15 +124,15 @@ pub fn settling(starts: &Starts, eps: &Rational, within: &Rational) -> Result<Se
         }
         let not_before = runs.not_before(within, &vector);
         let observed = runs.observe(within, &vector, not_before);
-        let by_vector = Proved {
-            step: runs.proved_step(&rate, within, |i| {
-                Rational::from_integer(vector.weights.get(i - 1).cloned().unwrap_or_default())
-            }),
-            rate,
-            by: Contraction::OwnVector(vector),
-        };
-        let mut proved: Vec<Proved> = runs.proved_for_every_n(within).into_iter().collect();
-        proved.push(by_vector);
+        let step = runs.proved_step(&rate, within, |i| {
+            Rational::from_integer(vector.weights.get(i - 1).cloned().unwrap_or_default())
+        });
+        let by_vector = step.map(|step| Proved { step, rate, by: Contraction::OwnVector(vector) });
+        let proved: Vec<Proved> =
+            runs.proved_for_every_n(within).into_iter().chain(by_vector).collect();
+        if proved.is_empty() {
+            return Ok(Settling::Undecided);
+        }
         return Ok(Settling::Settles { proved, not_before, observed });
     }
     Ok(Settling::Undecided)
@@ -198,7 +198,7 @@ impl Runs {
         let last = BigInt::from(self.count - 1);
         let rate = Rational::one() - &self.eps * Rational::new(8.into(), &last * &last);
         let weight = |i| Rational::from_integer(contraction_weight(self.count, i).into());
-        let step = self.proved_step(&rate, within, weight);
+        let step = self.proved_step(&rate, within, weight)?;
         Some(Proved { step, by: Contraction::EveryN, rate })
     }
 
@@ -209,13 +209,13 @@ impl Runs {
         rate: &Rational,
         within: &Rational,
         weight: impl Fn(usize) -> Rational,
-    ) -> u64 {
+    ) -> Option<u64> {
         let errors = self.initial_errors();
         let internal = 1..self.count - 1;
         let norm = internal.clone().map(|j| &errors[j] / weight(j)).max().unwrap_or_default();
         let heaviest = internal.map(weight).max().unwrap_or_default();
         if norm.is_zero() {
-            return 0;
+            return Some(0);
         }
         let target = within / (norm * heaviest);
         least_power_at_most(rate, &target, Rounding::Up)
@@ -233,7 +233,7 @@ impl Runs {
             if !share.is_positive() {
                 return 0;
             }
-            least_power_at_most(&rate, &(within / share), Rounding::Down)
+            least_power_at_most(&rate, &(within / share), Rounding::Down).unwrap_or_default()
         };
         self.extremes.iter().map(bound).max().unwrap_or_default()
     }

@@ -615,17 +615,24 @@ def growth(c):
     vector("growth", c, lambda aw, v: aw >= v)
 
 
+def dot(xs, ys):
+    pairs = list(zip(xs, ys))
+    charge(len(pairs))
+    products = [(x, y) for x, y in pairs if x and y]
+    charge(128 * len(products))
+    return sum(x * y for x, y in products)
+
+
 def invariance(c):
     a, b, rows, m = c["matrix"], c["offset"], c["invariant"], c["multipliers"]
     n, r = len(b), len(rows)
-    charge(128 * r * n * (n + r))
     sizes = [len(a) == n, *(len(x) == n for x in a), *(len(h["normal"]) == n for h in rows), len(m) == r, *(len(x) == r for x in m)]
     if not all(sizes) or not n or not r:
         raise Invalid("invariance", "the sizes do not fit")
     for goal, factors in zip(rows, m):
-        image = [sum(goal["normal"][u] * a[u][v] for u in range(n)) for v in range(n)]
-        given = [sum(f * h["normal"][v] for f, h in zip(factors, rows)) for v in range(n)]
-        slack = sum(f * h["bound"] for f, h in zip(factors, rows)) + sum(x * y for x, y in zip(goal["normal"], b)) - goal["bound"]
+        image = [dot(goal["normal"], [a[u][v] for u in range(n)]) for v in range(n)]
+        given = [dot(factors, [h["normal"][v] for h in rows]) for v in range(n)]
+        slack = dot(factors, [h["bound"] for h in rows]) + dot(goal["normal"], b) - goal["bound"]
         strict = slack > 0 or any(h["strict"] and f > 0 for f, h in zip(factors, rows))
         if any(f < 0 for f in factors) or image != given or slack < 0 or goal["strict"] and not strict:
             raise Invalid("invariance", "a row is not proved")

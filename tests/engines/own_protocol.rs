@@ -37,6 +37,23 @@ fn examples_are_proved_with_valid_certificates_or_refuted() {
     assert_eq!((found.step, found.eps.clone()), (1, q("3/5")));
 }
 
+/// A line of many drones: the checker's bound on its work does not refuse what the search proves.
+#[test]
+fn a_long_line_is_proved_and_its_certificates_are_accepted() {
+    let drones: Vec<String> = (0..65).map(|i| format!("x{i}")).collect();
+    let text = format!(
+        "title = \"line\"\ndrones = 65\ngraph = \"path\"\nweight = \"eps\"\neps = \"0..1/2\"\n\
+         claim = [\"{}\"]\n",
+        drones.join(" < ")
+    );
+    let proof = prove(&parse("line", &text).unwrap()).unwrap();
+    for (_, c) in &proof.certificates {
+        let verdict = cordon_check::check(&c.to_string());
+        assert!(matches!(verdict, Verdict::Valid { .. }), "{verdict}");
+    }
+    assert_eq!(proof.certificates.len(), 2);
+}
+
 #[test]
 fn the_invariant_is_strengthened_only_where_it_has_to_be() {
     let proof = prove(&own("weighted-coverage")).unwrap();

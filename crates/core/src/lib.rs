@@ -3,7 +3,7 @@
 //! * [`exact`]: rationals read and shown exactly; [`range`]: ranges and lists of them;
 //!   [`random`]: seeded choice.
 //! * [`scalar`]: what the spec can be executed on besides rationals.
-//! * [`stencil`]: the step's coefficients; [`linear`], [`simplex`]: exact linear algebra and
+//! * [`system`]: what every engine knows of a protocol; [`stencil`]: the coverage step's coefficients; [`linear`], [`simplex`]: exact linear algebra and
 //!   programs.
 //! * [`theorems`], [`violation`], [`evidence`]: the theorems by number, violations in words, what verdicts rest on.
 //! * [`error`], [`files`], [`serial`], [`text`]: how a command ends, how it reads and writes, and
@@ -21,6 +21,7 @@ pub mod scalar;
 pub mod serial;
 pub mod simplex;
 pub mod stencil;
+pub mod system;
 pub mod text;
 pub mod theorems;
 pub mod violation;

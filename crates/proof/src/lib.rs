@@ -2,6 +2,7 @@
 //! questions written for other solvers.
 
 pub mod certificate;
+pub mod claims;
 pub mod counterexample;
 pub mod export;
 pub mod own_protocol;

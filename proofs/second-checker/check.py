@@ -57,7 +57,8 @@ RULES = {
     "induction": {"on": "text", "variable": "text", "hypothesis": "text", "earlier": "text", "base": "proof", "step": "proof"},
 }
 PROOFS = {"definitions?": [DEFINITION], "lemmas?": [{"clause": CLAUSE, "proof": "proof"}], "conclusions": {"*": "proof"}}
-NUMBERS = ["number"]
+NUMBERS, FACTORS = ["number"], {"*": "number"}
+LINEAR = {"state": ["text"], "parameters?": {"*": "range"}, "modes": {"*": {"*": "text"}}}
 KINDS = {
     "theorem": {"statement": STATEMENT, "proof": PROOFS},
     "contraction": {"drones": "u32", "eps": "number", "rate": "number", "vector": NUMBERS},
@@ -68,8 +69,13 @@ KINDS = {
         "delay?": [[{"drone": "u64", "sees": "u64", "age": "u64"}]],
     },
     "invariance": {
-        "matrix": [NUMBERS], "offset": NUMBERS, "multipliers": [NUMBERS],
-        "invariant": [{"normal": NUMBERS, "bound": "number", "strict": "bool"}],
+        "system": LINEAR, "nodes": {"*": ["text"]}, "start": "text",
+        "edges": [{"from": "text", "by?": "text", "to": "text", "multipliers": [[FACTORS]]}],
+        "claims": [{"at": "text", "holds": "text", "multipliers": FACTORS}],
+    },
+    "quadratic": {
+        "system": LINEAR, "readouts": ["text"], "maps": {"*": ["text"]}, "matrix?": [NUMBERS], "matrices?": {"*": [NUMBERS]},
+        "rate?": "number", "start?": NUMBERS,
     },
 }
 
@@ -95,8 +101,9 @@ def read(value, schema):
         need(isinstance(value, str) and (schema == "text" or value in ("integer", "real")))
     elif schema in ("u32", "u64"):
         need(type(value) is int and 0 <= value < 2 ** int(schema[1:]))
-    elif schema == "bool":
-        need(type(value) is bool)
+    elif schema == "range":
+        need(isinstance(value, list) and len(value) == 2)
+        return [number(v) for v in value]
     elif schema == "proof" or schema is KINDS:
         rules = RULES if schema == "proof" else KINDS
         need(isinstance(value, dict) and len(value) == 1 and next(iter(value)) in rules)
@@ -273,7 +280,7 @@ class Kernel:
             if len(token) > MAX_NAME:
                 bad("too long a name")
             if not take("("):
-                if token == "last":
+                if token == "last" and self.last is not None:
                     return self.last
                 return var(token) if self.sort(token, variables) else bad(f"{token} is no variable")
             terms = [total(depth + 1)]
@@ -615,27 +622,150 @@ def growth(c):
     vector("growth", c, lambda aw, v: aw >= v)
 
 
-def dot(xs, ys):
-    pairs = list(zip(xs, ys))
-    charge(len(pairs))
-    products = [(x, y) for x, y in pairs if x and y]
-    charge(128 * len(products))
-    return sum(x * y for x, y in products)
+# ---- A user's linear system: invariants, and quadratic forms of readouts.
+class Linear:
+    def __init__(self, written):
+        self.ranges, self.state = written.get("parameters", {}), reals(written["state"])
+        self.names = reals([*written["state"], *self.ranges])
+        self.modes = {}
+        for mode, rows in written["modes"].items():
+            if not set(rows) <= set(self.state.constants):
+                raise Invalid("system", f"mode {mode!r:.40}: no such variable")
+            self.modes[mode] = {v: affine(t, self.names, self.state) for v, t in rows.items()}
+        if not self.modes or not written["state"] or any(low > high for low, high in self.ranges.values()):
+            raise Invalid("system", "no variables, no modes, or an empty range")
+
+    def literal(self, text):
+        p, relation = self.state.literal(text, {})
+        return is_affine(p, self.state), relation
+
+    def rows(self, mode):
+        if mode not in self.modes:
+            raise Invalid("system", f"no mode {mode!r:.40}")
+        return self.modes[mode]
+
+    def vertices(self, forms):
+        out = [forms]
+        for name, ends in sorted(self.ranges.items()):
+            if any(has(f, name) for f in forms):
+                charge(128 * len(out))
+                out = [[at_names(f, {name: const(e)}) for f in fs] for fs in out for e in sorted(set(ends))]
+        return out
+
+
+def reals(names):
+    kernel = Kernel()
+    for name in names:
+        kernel.constants[kernel.fresh(name)] = "real"
+    return kernel
+
+
+def is_affine(p, variables):
+    for m in p:
+        if len(set(m)) < len(m) or sum(a[1] in variables.constants for a in m) > 1:
+            raise Invalid("system", "not affine")
+    return p
+
+
+def affine(text, names, variables):
+    return is_affine(names.poly(text, {}), variables)
+
+
+def at_names(p, values):
+    return sub(p, lambda a: values.get(a[1]) if a[0] == "var" else None)
+
+
+def follows(given, goal, relation, factors):
+    strict = False
+    for name, c in factors.items():
+        if name not in map(str, range(len(given))):
+            raise Invalid("invariance", f"no literal {name!r:.40}")
+        p, known = given[int(name)]
+        if known != ZERO and (relation == ZERO or c < 0):
+            raise Invalid("invariance", f"the multiplier of literal {name}")
+        strict |= known == POSITIVE and c > 0
+        goal = add(goal, mul(const(c), p), -1)
+    rest = goal.pop((), 0)
+    if goal or rest < 0 or relation == ZERO and rest or relation == POSITIVE and not rest and not strict:
+        raise Invalid("invariance", f"not shown; the constant that is left is {rest}")
 
 
 def invariance(c):
-    a, b, rows, m = c["matrix"], c["offset"], c["invariant"], c["multipliers"]
-    n, r = len(b), len(rows)
-    sizes = [len(a) == n, *(len(x) == n for x in a), *(len(h["normal"]) == n for h in rows), len(m) == r, *(len(x) == r for x in m)]
-    if not all(sizes) or not n or not r:
-        raise Invalid("invariance", "the sizes do not fit")
-    for goal, factors in zip(rows, m):
-        image = [dot(goal["normal"], [a[u][v] for u in range(n)]) for v in range(n)]
-        given = [dot(factors, [h["normal"][v] for h in rows]) for v in range(n)]
-        slack = dot(factors, [h["bound"] for h in rows]) + dot(goal["normal"], b) - goal["bound"]
-        strict = slack > 0 or any(h["strict"] and f > 0 for f, h in zip(factors, rows))
-        if any(f < 0 for f in factors) or image != given or slack < 0 or goal["strict"] and not strict:
-            raise Invalid("invariance", "a row is not proved")
+    system = Linear(c["system"])
+    nodes = {n: [system.literal(t) for t in texts] for n, texts in c["nodes"].items()}
+
+    def need(ok, why):
+        if not ok:
+            raise Invalid("invariance", why)
+    edges, claims = c["edges"], c["claims"]
+    need(claims and all(n in nodes for n in [c["start"], *(e[k] for e in edges for k in ("from", "to")), *(x["at"] for x in claims)]), "no such node, or no claim")
+    for e in edges:
+        need(len(nodes[e["to"]]) == len(e["multipliers"]), "rows of multipliers")
+        step = system.rows(e["by"]) if "by" in e else {}
+        for (p, relation), row in zip(nodes[e["to"]], e["multipliers"]):
+            vertices = system.vertices([at_names(p, step)])
+            need(len(vertices) == len(row), "vertices")
+            for (q,), factors in zip(vertices, row):
+                follows(nodes[e["from"]], q, relation, factors)
+    for claim in claims:
+        follows(nodes[claim["at"]], *system.literal(claim["holds"]), claim["multipliers"])
+
+
+def times(a, b):
+    charge(256 * sum(1 for row in a for x in row if x) * len(b[0]))
+    return [[sum(x * y for x, y in zip(row, column) if x and y) for column in zip(*b)] for row in a]
+
+
+def definite(m, strictly):
+    """Whether x'mx >= 0 (> 0) for every x but 0, by elimination."""
+    m = [list(row) for row in m]
+    for k, pivot_row in enumerate(m):
+        pivot = pivot_row[k]
+        if pivot < 0 or pivot == 0 and (strictly or any(pivot_row[k + 1:])):
+            return False
+        for row in m[k + 1:]:
+            if row[k]:
+                charge(256 * (len(m) - k))
+                factor = row[k] / pivot
+                row[k:] = [x - factor * y for x, y in zip(row[k:], pivot_row[k:])]
+    return True
+
+
+def quadratic(c):
+    def need(ok, why):
+        if not ok:
+            raise Invalid("quadratic", why)
+    system, size, maps, rate = Linear(c["system"]), len(c["readouts"]), c["maps"], c.get("rate")
+    need(1 <= size <= 200, "1 to 200 readouts")
+    need(len(maps) == len(system.modes) and ("matrix" in c) != bool(c.get("matrices")), "maps and matrices")
+    need(("rate" in c) != ("start" in c) and (rate is None or 0 <= rate < 1), "rate in [0, 1) or start")
+    need(rate is not None or len(c["start"]) == len(c["system"]["state"]), "a number a variable")
+    forms = {}
+    for mode in system.modes:
+        low = c.get("matrix") or c.get("matrices", {}).get(mode)
+        need(low is not None and [len(r) for r in low] == list(range(1, size + 1)), "a lower triangle")
+        forms[mode] = [[low[max(i, j)][min(i, j)] for j in range(size)] for i in range(size)]
+    names = [f"y{j}" for j in range(size)]
+    readouts = dict(zip(names, (affine(t, system.state, system.state) for t in c["readouts"])))
+    coordinates, known = reals(names), reals([*names, *system.ranges])
+    if rate is None:
+        values = {v: const(x) for v, x in zip(c["system"]["state"], c["start"])}
+        y = [[at_names(p, values).get((), Fraction(0))] for p in readouts.values()]
+    for mode, form in forms.items():
+        rows = [affine(t, known, coordinates) for t in maps.get(mode, [])]
+        need(len(rows) == size, "rows of the map")
+        for row, p in zip(rows, readouts.values()):
+            need(all(any(a[1] in coordinates.constants for a in m) for m in row) and at_names(row, readouts) == at_names(p, system.rows(mode)), "the map")
+        vertices = system.vertices(rows)
+        if rate is None:
+            need(len(vertices) == 1 and times(times(list(zip(*y)), form), y)[0][0] > 0, "growth of one system from above 0")
+        need(rate is None or definite(form, True), "not positive definite")
+        for forms_at in vertices:
+            a = [[row.get((("var", n),), Fraction(0)) for n in names] for row in forms_at]
+            for target in list(forms.values())[:1 if "matrix" in c else None]:
+                moved = times(times(list(zip(*a)), target), a)
+                left = [[rate * rate * p - q if rate is not None else q - p for p, q in zip(ps, qs)] for ps, qs in zip(form, moved)]
+                need(definite(left, False), "the form")
 
 
 # ---- One run, and the conclusions of the theorems in their finite forms: None, or what is violated and where.

@@ -49,7 +49,7 @@ pub fn prove(
 ) -> Result<Outcome> {
     let protocol = read_sensible(path)?;
     if let Some(proof) = find_proof(&protocol) {
-        if !proof.certificates.iter().all(|(_, c)| certificate::accepted(c)) {
+        if !certificate::accepted(&proof.certificate) {
             writeln!(out, "{REJECTED}")?;
             return Ok(Outcome::Rejected);
         }
@@ -184,10 +184,9 @@ fn proved(
 ) -> Result<()> {
     header(protocol, false, out)?;
     writeln!(out, "  proved: the claims hold at every step from every assumed start")?;
-    let weights: Vec<String> = proof.certificates.iter().map(|(eps, _)| fraction(eps)).collect();
-    let at = match weights.as_slice() {
-        [lo, hi] => format!(" at eps = {lo} and {hi}, so between"),
-        _ => String::new(),
+    let at = match protocol.extreme_weights().len() {
+        2 => " at both ends of the range of eps, so between",
+        _ => "",
     };
     writeln!(
         out,
@@ -197,10 +196,7 @@ fn proved(
         proof.claimed,
         Evidence::Certified
     )?;
-    writeln!(
-        out,
-        "  base: every assumed start meets them (exact multipliers; the certificates are about the step)"
-    )?;
+    writeln!(out, "  base: every assumed start meets them (in the certificate, too)")?;
     for file in files {
         writeln!(out, "  wrote {file}")?;
     }
@@ -266,13 +262,5 @@ fn as_json(protocol: &OwnProtocol, path: &Path, run: &Run) -> Value {
 
 fn write_all(path: &Path, folder: &Path, proof: &InductiveProof) -> Result<Vec<String>> {
     let stem = path.file_stem().map_or_else(|| "own".into(), |s| s.to_string_lossy());
-    let ends = ["low", "high"];
-    let named = proof.certificates.iter().zip(ends).map(|((_, c), end)| {
-        let name = match proof.certificates.len() {
-            1 => stem.to_string(),
-            _ => format!("{stem}-{end}"),
-        };
-        Ok(certificate::write(folder, &name, c)?.display().to_string())
-    });
-    named.collect()
+    Ok(vec![certificate::write(folder, &stem, &proof.certificate)?.display().to_string()])
 }

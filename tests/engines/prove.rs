@@ -5,6 +5,7 @@ use assert_cmd::Command;
 use cordon_core::Rational;
 use cordon_core::simplex::feasible;
 use cordon_proof::certificate;
+use cordon_proof::certificate::linear::{self, Edge, Invariance, LinearSystem, NodeClaim, form};
 use cordon_proof::prove::{CLAIMS, Claim, Scope, stated};
 use cordon_proof::refute::evident;
 use cordon_spec::activation::exec_coverage_active;
@@ -341,19 +342,36 @@ fn invariants_of_random_protocols_hold_when_certified() {
             refused += 1;
             continue;
         }
-        let text = |v: &[Rational]| json!(v.iter().map(Rational::to_string).collect::<Vec<_>>());
-        let invariant: Vec<Value> = rows
-            .iter()
-            .map(|(n, b)| json!({ "normal": text(n), "bound": b.to_string(), "strict": false }))
-            .collect();
-        let body = json!({
-            "matrix": a.iter().map(|r| text(r)).collect::<Vec<_>>(),
-            "offset": text(&offset),
-            "invariant": invariant,
-            "multipliers": multipliers.iter().map(|m| text(m)).collect::<Vec<_>>(),
-        });
-        let page =
-            json!({ "schema": "cordon-certificate/2", "certificate": { "invariance": body } });
+        let names = ["x0", "x1"];
+        let text =
+            |constant: &Rational, row: &[Rational]| form(constant, names.into_iter().zip(row));
+        let literal = |(n, b): &(Vec<Rational>, Rational)| format!("{} >= 0", text(&-b, n));
+        let step = names.iter().zip(a.iter().zip(&offset));
+        let invariance = Invariance {
+            system: LinearSystem {
+                state: names.map(str::to_owned).to_vec(),
+                modes: [(
+                    "step".into(),
+                    step.map(|(n, (row, c))| ((*n).into(), text(c, row))).collect(),
+                )]
+                .into(),
+                ..LinearSystem::default()
+            },
+            nodes: [("kept".into(), rows.iter().map(literal).collect())].into(),
+            start: "kept".into(),
+            edges: vec![Edge {
+                from: "kept".into(),
+                by: Some("step".into()),
+                to: "kept".into(),
+                multipliers: multipliers.iter().map(|m| vec![linear::multipliers(m)]).collect(),
+            }],
+            claims: vec![NodeClaim {
+                at: "kept".into(),
+                holds: literal(&rows[0]),
+                multipliers: [(0, "1".to_owned())].into(),
+            }],
+        };
+        let page = invariance.certificate();
         let verdict = cordon_check::check(&page.to_string());
         assert_eq!(verdict.code(), 0, "{verdict}");
         certified += 1;

@@ -2,6 +2,8 @@
 //!
 //! Only writing is done here; what a certificate is worth, the independent checker says.
 
+pub mod linear;
+
 use std::path::{Path, PathBuf};
 
 use cordon_check::Verdict;
@@ -93,40 +95,6 @@ pub fn refutation(found: &Counterexample) -> Value {
         }
     }
     sealed("refutation", body)
-}
-
-/// One half-space of an invariant: `normal . x >= bound`, or `>` where strict.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct HalfSpace {
-    /// Coefficients of the variables.
-    pub normal: Vec<Rational>,
-    /// What the form is at least.
-    pub bound: Rational,
-    /// Whether it is more than that.
-    pub strict: bool,
-}
-
-/// An invariant of x' = matrix x + offset, with the multipliers that prove each row.
-pub fn invariance(
-    matrix: &[Vec<Rational>],
-    offset: &[Rational],
-    invariant: &[HalfSpace],
-    multipliers: &[Vec<Rational>],
-) -> Value {
-    let rows = |m: &[Vec<Rational>]| m.iter().map(|r| numbers(r)).collect::<Vec<_>>();
-    let invariant: Vec<Value> = invariant
-        .iter()
-        .map(|h| json!({ "normal": numbers(&h.normal), "bound": fraction(&h.bound), "strict": h.strict }))
-        .collect();
-    sealed(
-        "invariance",
-        json!({
-            "matrix": rows(matrix),
-            "offset": numbers(offset),
-            "invariant": invariant,
-            "multipliers": rows(multipliers),
-        }),
-    )
 }
 
 /// Whether the independent checker accepts a certificate. Nothing is called certified before

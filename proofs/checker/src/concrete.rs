@@ -8,9 +8,9 @@ use cordon_spec::delay::exec_coverage_delayed;
 use cordon_spec::theorems::{Setting, Subject, Theorem, Truth, Verdict, Violation};
 use cordon_spec::{Params, Scalar, State};
 
-use crate::format::{Contraction, Delay, Growth, HalfSpace, Invariance, Refutation};
+use crate::format::{Contraction, Delay, Growth, Refutation};
 use crate::kernel::{Fault, fault};
-use crate::number::{Number, charge, exhausted};
+use crate::number::{Number, exhausted};
 use crate::poly::{Atom, Poly};
 use crate::system::named;
 
@@ -209,46 +209,4 @@ fn run(c: &Refutation, params: &Params<Number>, steps: usize) -> Result<Vec<Vec<
         run.push(next.drones);
     }
     Ok(run)
-}
-
-/// `invariance`: Farkas' lemma, row by row. For x in the invariant, `normal_j . x' - bound_j` is the
-/// sum of m_r (normal_r . x - bound_r) >= 0 and of the constant that is left.
-pub fn invariance(c: &Invariance) -> Result<String> {
-    const RULE: &str = "invariance";
-    let (rows, variables) = (&c.invariant, c.offset.len());
-    let square = c.matrix.len() == variables && c.matrix.iter().all(|r| r.len() == variables);
-    let fits = rows.iter().all(|h| h.normal.len() == variables)
-        && c.multipliers.len() == rows.len()
-        && c.multipliers.iter().all(|m| m.len() == rows.len());
-    if !square || !fits || variables == 0 || rows.is_empty() {
-        return fault(RULE, "the sizes do not fit");
-    }
-    // Most entries are 0: looking at a pair is work, but not that of a product.
-    fn dot<'n>(pairs: impl Iterator<Item = (&'n Number, &'n Number)>) -> Number {
-        let products = pairs.filter(|(x, y)| charge(1) && !x.is_zero() && !y.is_zero());
-        products.fold(Number::whole(0), |sum, (x, y)| sum + &(x.clone() * y))
-    }
-    for (j, (goal, m)) in rows.iter().zip(&c.multipliers).enumerate() {
-        let bad = |why: &str| fault(RULE, format!("row {j}: {why}"));
-        if m.iter().any(|m| *m < Number::whole(0)) {
-            return bad("a multiplier is negative");
-        }
-        for v in 0..variables {
-            let combined = dot(m.iter().zip(rows.iter().map(|h| &h.normal[v])));
-            let moved = dot(goal.normal.iter().zip(c.matrix.iter().map(|r| &r[v])));
-            if combined != moved {
-                return bad("the multipliers do not give the row's image");
-            }
-        }
-        let bounds = dot(m.iter().zip(rows.iter().map(|h| &h.bound)));
-        let slack = bounds + &dot(goal.normal.iter().zip(&c.offset)) - &goal.bound;
-        let strict = |(m, h): (&Number, &HalfSpace)| h.strict && m.is_positive();
-        if slack < Number::whole(0) {
-            return bad("the bound is not reached");
-        }
-        if goal.strict && slack.is_zero() && !m.iter().zip(rows).any(strict) {
-            return bad("the bound is reached, but not strictly");
-        }
-    }
-    Ok(format!("an invariant of {} half-spaces of a protocol in {variables} variables", rows.len()))
 }

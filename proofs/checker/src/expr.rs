@@ -53,8 +53,8 @@ pub struct Signature {
     pub constants: BTreeMap<Rc<str>, Sort>,
     /// Functions: how many integer terms they take, and what they give.
     pub functions: BTreeMap<Rc<str>, (usize, Sort)>,
-    /// The meaning of `last`, N-1: a constant, or a number for one N.
-    pub last: Poly,
+    /// The meaning of `last`, N-1, where there is one: a constant, or a number for one N.
+    pub last: Option<Poly>,
 }
 
 /// Most brackets within brackets.
@@ -74,6 +74,11 @@ impl Signature {
                     Atom::Fact(_) => false,
                 })
         })
+    }
+
+    /// Whether it is one of the constants.
+    pub fn knows(&self, atom: &Atom) -> bool {
+        matches!(atom, Atom::Var(v) if self.constants.contains_key(v))
     }
 
     fn sort(&self, name: &str, vars: &Vars) -> Option<Sort> {
@@ -195,11 +200,9 @@ impl<'t> Parser<'t> {
             return Err(format!("a name of {} characters: at most {MAX_NAME}", name.len()));
         }
         if !self.take("(") {
-            return match self.signature.sort(name, self.vars) {
-                _ if name == "last" => Ok(self.signature.last.clone()),
-                Some(_) => Ok(Poly::var(name)),
-                None => Err(format!("`{name}` is no variable or constant here")),
-            };
+            let known = self.signature.sort(name, self.vars).map(|_| Poly::var(name));
+            let last = self.signature.last.clone().filter(|_| name == "last");
+            return last.or(known).ok_or(format!("`{name}` is no variable or constant here"));
         }
         let mut terms = vec![self.sum(depth + 1)?];
         while self.take(",") {

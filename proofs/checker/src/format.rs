@@ -367,25 +367,70 @@ objects! {
         /// How many steps ago.
         age: usize,
     }
-    /// An invariant of a user's protocol.
-    Invariance {
-        /// Linear part of the protocol, row by row.
-        matrix: Vec<Vec<Number>>,
-        /// Constant part.
-        offset: Vec<Number>,
-        /// The half-spaces whose intersection is preserved.
-        invariant: Vec<HalfSpace>,
-        /// Farkas multipliers, one row a half-space.
-        multipliers: Vec<Vec<Number>>,
+    /// A linear system.
+    Linear {
+        /// The variables.
+        state: Vec<String>,
+        /// Parameters with the ends of their ranges; each step may have other values.
+        #[serde(default)]
+        parameters: Named<[Number; 2]>,
+        /// For each mode the variables that it changes, and to what.
+        modes: Named<Named<String>>,
     }
-    /// `normal . x >= bound`.
-    HalfSpace {
-        /// Its normal.
-        normal: Vec<Number>,
-        /// Its bound.
-        bound: Number,
-        /// `>` instead of `>=`.
-        strict: bool,
+    /// What holds along the runs of a linear system.
+    Invariance {
+        /// What runs.
+        system: Linear,
+        /// Literals about the state.
+        nodes: Named<Vec<String>>,
+        /// The node that the start is assumed to meet.
+        start: String,
+        /// Why one node follows from another.
+        edges: Vec<Edge>,
+        /// What follows from a node.
+        claims: Vec<Claim>,
+    }
+    /// What holds at a node, after a step or at once.
+    Edge {
+        /// The node known to hold.
+        from: String,
+        /// The mode of the step, if one is taken.
+        #[serde(default, deserialize_with = "present")]
+        by: Option<String>,
+        /// The node that holds then.
+        to: String,
+        /// For each of its literals, for each vertex of the parameters in it, the multipliers of the literals known.
+        multipliers: Vec<Vec<Named<Number>>>,
+    }
+    /// What follows from a node.
+    Claim {
+        /// The node.
+        at: String,
+        /// The literal.
+        holds: String,
+        /// The multipliers of the node's literals.
+        multipliers: Named<Number>,
+    }
+    /// A quadratic form of readouts that falls in every step, or never.
+    Quadratic {
+        /// What runs.
+        system: Linear,
+        /// Affine forms of the state: y0, y1, ..
+        readouts: Vec<String>,
+        /// For each mode what a step makes of each readout, in y0, y1, ..
+        maps: Named<Vec<String>>,
+        /// The form for every mode, as a lower triangle.
+        #[serde(default, deserialize_with = "present")]
+        matrix: Option<Vec<Vec<Number>>>,
+        /// A form for each mode that acts next.
+        #[serde(default)]
+        matrices: Named<Vec<Vec<Number>>>,
+        /// The factor by which its root falls at least.
+        #[serde(default, deserialize_with = "present")]
+        rate: Option<Number>,
+        /// A state from which it does not fall to 0.
+        #[serde(default, deserialize_with = "present")]
+        start: Option<Vec<Number>>,
     }
 }
 
@@ -402,7 +447,9 @@ pub enum Kind {
     /// By a run.
     Refutation(Box<Refutation>),
     /// By Farkas' lemma.
-    Invariance(Invariance),
+    Invariance(Box<Invariance>),
+    /// By a quadratic form.
+    Quadratic(Box<Quadratic>),
 }
 
 /// A proof: a rule with what it reads.

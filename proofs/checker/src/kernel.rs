@@ -45,7 +45,7 @@ pub struct Clause {
 impl Clause {
     /// The clause with polynomials in the place of variables.
     fn with(&self, value: &dyn Fn(&str) -> Option<Poly>) -> Self {
-        let at = |p: &Poly| p.substitute(&|a| if let Atom::Var(v) = a { value(v) } else { None });
+        let at = |p: &Poly| p.with(value);
         let given = self.given.iter().map(|(n, l)| (n.clone(), l.map(at))).collect();
         Self { vars: self.vars.clone(), given, goal: self.goal.map(at) }
     }

@@ -10,6 +10,7 @@ pub mod concrete;
 pub mod expr;
 pub mod format;
 pub mod kernel;
+pub mod linear;
 pub mod number;
 pub mod poly;
 pub mod system;
@@ -91,7 +92,8 @@ pub fn check(text: &str) -> Verdict {
         Kind::Contraction(c) => ("contraction", concrete::contraction(c).map(|c| (c, 1))),
         Kind::Growth(c) => ("growth", concrete::growth(c).map(|c| (c, 1))),
         Kind::Refutation(c) => ("refutation", concrete::refutation(c).map(|c| (c, 1))),
-        Kind::Invariance(c) => ("invariance", concrete::invariance(c).map(|c| (c, 1))),
+        Kind::Invariance(c) => ("invariance", linear::invariance(c)),
+        Kind::Quadratic(c) => ("quadratic", linear::quadratic(c)),
     };
     // Without work left numbers are not what they should be: neither is what was said of them.
     let result =

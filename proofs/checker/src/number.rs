@@ -102,6 +102,11 @@ impl Number {
         Self(self.0.abs())
     }
 
+    /// The quotient; nothing where it divides by zero.
+    pub fn over(&self, other: &Self) -> Option<Self> {
+        (!other.is_zero()).then(|| self.charged(other, || &self.0 / &other.0))
+    }
+
     /// Numerator and denominator in words of 64 bits, each rounded down.
     fn words(&self) -> u64 {
         self.0.numer().bits() / 64 + self.0.denom().bits() / 64

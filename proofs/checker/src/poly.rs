@@ -106,6 +106,16 @@ impl Poly {
         })
     }
 
+    /// The polynomial with polynomials in the place of variables.
+    pub fn with(&self, value: &dyn Fn(&str) -> Option<Self>) -> Self {
+        self.substitute(&|a| if let Atom::Var(v) = a { value(v) } else { None })
+    }
+
+    /// The coefficient of a monomial.
+    pub fn coefficient(&self, monomial: &[Atom]) -> Number {
+        self.0.get(monomial).cloned().unwrap_or_else(|| Number::whole(0))
+    }
+
     fn add_term(&mut self, monomial: Vec<Atom>, c: Number) {
         let sum = self.0.remove(&monomial).map_or(c.clone(), |old| old + &c);
         if !sum.is_zero() {

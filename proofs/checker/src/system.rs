@@ -69,7 +69,7 @@ pub fn install(system: &System, kernel: &mut Kernel) -> Result<String> {
         Some(n @ 3..) => Poly::from_index(n as usize - 1),
         Some(n) => return fault("system", format!("{n} drones: expected 3 or more")),
     };
-    kernel.signature.last = last.clone();
+    kernel.signature.last = Some(last.clone());
     let mut b = Builder { kernel, last, words: Vec::new() };
     b.constant("eps", Sort::Real);
     if system.drones.is_none() {

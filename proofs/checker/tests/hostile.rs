@@ -132,3 +132,59 @@ fn long_runs_are_judged_or_given_up() {
     assert!(matches!(verdict, Verdict::Invalid { rule: "refutation", .. }), "{verdict}");
     assert!(done() > 1_000_000, "the rate of 7.8 is counted: {}", done());
 }
+
+/// A system of one variable, without a claim about it that needs proof.
+fn invariance(system: Value, nodes: Value, edges: Value) -> String {
+    let claims = json!([{ "at": "n0", "holds": "1 > 0", "multipliers": {} }]);
+    sealed(
+        "invariance",
+        json!({ "system": system, "nodes": nodes, "start": "n0", "edges": edges, "claims": claims }),
+    )
+}
+
+#[test]
+fn large_systems_are_judged_or_given_up() {
+    let still = json!({ "state": ["x"], "modes": { "step": {} } });
+    // Where runs can stand in a long chain: after each number of steps other nodes.
+    let chain = |length: usize| {
+        let nodes: Value = (0..=length).map(|n| (format!("n{n}"), json!([]))).collect();
+        let next = |n: usize| json!({ "from": format!("n{n}"), "by": "step", "to": format!("n{}", (n + 1).min(length)), "multipliers": [] });
+        invariance(still.clone(), nodes, (0..=length).map(next).collect())
+    };
+    assert_eq!(check(&chain(300)).label(), "valid");
+    assert!(done() > 100_000, "{}", done());
+    overworked("a chain", &chain(20_000));
+    // Vertices double with each parameter in a row.
+    let disturbed = |count: usize| {
+        let names: Vec<String> = (0..count).map(|p| format!("d{p}")).collect();
+        let ranges: Value = names.iter().map(|n| (n.clone(), json!(["0", "1"]))).collect();
+        let system = json!({ "state": ["x"], "parameters": ranges, "modes": { "step": { "x": format!("x + {}", names.join(" + ")) } } });
+        let row = vec![json!({ "0": "1" }); 1 << count.min(10)];
+        let edge = json!([{ "from": "n0", "by": "step", "to": "n0", "multipliers": [row] }]);
+        invariance(system, json!({ "n0": ["x >= 0"] }), edge)
+    };
+    assert_eq!(check(&disturbed(5)).label(), "valid");
+    overworked("a thousand billion vertices", &disturbed(40));
+    // A dense form of the most readouts.
+    let quadratic = |size: usize| {
+        let names: Vec<String> = (0..size).map(|i| format!("x{i}")).collect();
+        let sum: Vec<String> = (0..size).map(|i| format!("{}*y{i}", fraction(3, i))).collect();
+        let triangle: Vec<Vec<String>> = (0..size)
+            .map(|i| {
+                (0..=i).map(|j| if i == j { "1000".into() } else { fraction(3, i + j) }).collect()
+            })
+            .collect();
+        let update: Vec<String> =
+            names.iter().enumerate().map(|(i, x)| format!("{}*{x}", fraction(3, i))).collect();
+        let rows: Value = names.iter().map(|x| (x.clone(), json!(update.join(" + ")))).collect();
+        sealed(
+            "quadratic",
+            json!({
+                "system": { "state": names, "modes": { "step": rows } }, "readouts": names,
+                "maps": { "step": vec![sum.join(" + "); size] }, "matrix": triangle, "rate": "1/2",
+            }),
+        )
+    };
+    assert!(matches!(check(&quadratic(8)), Verdict::Invalid { rule: "quadratic", .. }));
+    overworked("two hundred readouts", &quadratic(200));
+}

@@ -4,11 +4,13 @@
 //! A mutant is recognised as a proof without the checker's help:
 //! * a sum in a proof by the kernel is an identity between polynomials, so that no change of a number in
 //!   it leaves a proof;
-//! * contraction, growth and invariance are decided by a formula written out here;
+//! * contraction, growth, invariance and quadratic are decided by formulas written out here, the latter two on
+//!   forms whose coefficients are read off their values;
 //! * a refutation is decided by running the protocol, written out here, and asking the
 //!   theorem's predicates.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
 
@@ -19,8 +21,8 @@ use num_traits::{One, Signed, Zero};
 use serde_json::{Value, json};
 
 /// Mutants that are no proofs, and mutants that are.
-const REJECTED: usize = 467;
-const PROOFS: usize = 73;
+const REJECTED: usize = 620;
+const PROOFS: usize = 97;
 
 /// Mutants of sums.
 const SUMS: usize = 274;
@@ -123,6 +125,7 @@ fn is_proof(page: &Value) -> bool {
         "growth" => vector(body, |aw, w| aw >= w.clone()),
         "refutation" => refutation(body),
         "invariance" => invariance(body),
+        "quadratic" => quadratic(body),
         _ => false,
     }
 }
@@ -149,28 +152,219 @@ fn vector(body: &Value, holds: impl Fn(Rational, &Rational) -> bool) -> bool {
         })
 }
 
-fn invariance(body: &Value) -> bool {
-    let rows = |v: &Value| -> Vec<Vec<Rational>> { v.as_array().unwrap().iter().map(qs).collect() };
-    let (a, b, m) = (rows(&body["matrix"]), qs(&body["offset"]), rows(&body["multipliers"]));
-    let half_spaces = body["invariant"].as_array().unwrap();
-    let normals: Vec<Vec<Rational>> = half_spaces.iter().map(|h| qs(&h["normal"])).collect();
-    let bounds: Vec<Rational> = half_spaces.iter().map(|h| q(&h["bound"])).collect();
-    let strict: Vec<bool> = half_spaces.iter().map(|h| h["strict"].as_bool().unwrap()).collect();
-    let n = b.len();
-    (0..normals.len()).all(|j| {
-        let image = (0..n).all(|v| {
-            let moved: Rational = (0..n).map(|u| &normals[j][u] * &a[u][v]).sum();
-            moved == (0..normals.len()).map(|r| &m[j][r] * &normals[r][v]).sum()
+type Values = BTreeMap<String, Rational>;
+
+/// The value of a sum of products of numbers, names and brackets.
+fn value(text: &str, values: &Values) -> Rational {
+    fn split<'t>(text: &'t str, signs: &[char]) -> Option<(&'t str, char, &'t str)> {
+        let mut depth = 0;
+        let at = text.char_indices().rev().find(|(_, c)| {
+            depth += i32::from(*c == ')') - i32::from(*c == '(');
+            depth == 0 && signs.contains(c)
         });
-        let reached: Rational = (0..normals.len()).map(|r| &m[j][r] * &bounds[r]).sum();
-        let offset: Rational = (0..n).map(|v| &normals[j][v] * &b[v]).sum();
-        let slack = reached + offset - &bounds[j];
-        let above = (0..normals.len()).any(|r| strict[r] && m[j][r].is_positive());
-        m[j].iter().all(|m| !m.is_negative())
-            && image
-            && !slack.is_negative()
-            && (!strict[j] || slack.is_positive() || above)
-    })
+        at.map(|(at, c)| (&text[..at], c, &text[at + 1..]))
+    }
+    let text = text.trim();
+    if let Some((left, sign, right)) = split(text, &['+', '-']) {
+        let left = if left.trim().is_empty() { Rational::zero() } else { value(left, values) };
+        let right = value(right, values);
+        return if sign == '+' { left + right } else { left - right };
+    }
+    if let Some((left, _, right)) = split(text, &['*']) {
+        return value(left, values) * value(right, values);
+    }
+    match text.strip_prefix('(') {
+        Some(inside) => value(inside.strip_suffix(')').unwrap(), values),
+        None => rational(text).unwrap_or_else(|| values[text].clone()),
+    }
+}
+
+/// An affine function by its constant and its coefficients.
+type Affine = Vec<Rational>;
+
+fn affine(names: &[String], f: impl Fn(&Values) -> Rational) -> Affine {
+    let at = |one: Option<&String>| {
+        f(&names
+            .iter()
+            .map(|n| (n.clone(), Rational::from_integer(i32::from(one == Some(n)).into())))
+            .collect())
+    };
+    let constant = at(None);
+    let rest = names.iter().map(|n| at(Some(n)) - &constant);
+    std::iter::once(constant.clone()).chain(rest).collect()
+}
+
+/// Left minus right, and the relation.
+fn literal(names: &[String], text: &str) -> (Affine, &'static str) {
+    for (sign, relation, turned) in [
+        (">=", ">=", false),
+        ("<=", ">=", true),
+        (">", ">", false),
+        ("<", ">", true),
+        ("=", "=", false),
+    ] {
+        if let Some((l, r)) = text.split_once(sign) {
+            let (l, r) = if turned { (r, l) } else { (l, r) };
+            return (affine(names, |v| value(l, v) - value(r, v)), relation);
+        }
+    }
+    panic!("{text}")
+}
+
+fn words(list: &Value) -> Vec<String> {
+    list.as_array().unwrap().iter().map(|w| w.as_str().unwrap().to_owned()).collect()
+}
+
+/// At each end of the one parameter, if there is one, what a mode makes of a function of the state.
+fn after(system: &Value, mode: &str, f: &Affine) -> Vec<Affine> {
+    let names = words(&system["state"]);
+    let rows = &system["modes"][mode];
+    let parameter = system.get("parameters").and_then(|p| p.as_object().unwrap().iter().next());
+    let ends = parameter.map_or(vec![None], |(name, ends)| {
+        qs(ends).into_iter().map(|end| Some((name.clone(), end))).collect()
+    });
+    let at = |end: &Option<(String, Rational)>| {
+        affine(&names, |state| {
+            let mut all = state.clone();
+            all.extend(end.clone());
+            let next = |n: &String| {
+                rows.get(n).map_or(state[n].clone(), |row| value(row.as_str().unwrap(), &all))
+            };
+            names.iter().zip(&f[1..]).fold(f[0].clone(), |sum, (n, c)| sum + c * next(n))
+        })
+    };
+    let mut images: Vec<Affine> = ends.iter().map(at).collect();
+    images.dedup();
+    images
+}
+
+fn ranges(system: &Value) -> bool {
+    let all = system
+        .get("parameters")
+        .map(|p| p.as_object().unwrap().values().map(qs).collect::<Vec<_>>());
+    all.unwrap_or_default().iter().all(|ends| ends[0] <= ends[1])
+}
+
+fn follows(known: &[(Affine, &str)], goal: &Affine, relation: &str, multipliers: &Value) -> bool {
+    let (mut rest, mut strict, mut sound) = (goal.clone(), false, true);
+    for (index, m) in multipliers.as_object().unwrap() {
+        let (m, (fact, sign)) = (q(m), &known[index.parse::<usize>().unwrap()]);
+        sound &= *sign == "=" || (relation != "=" && !m.is_negative());
+        strict |= *sign == ">" && m.is_positive();
+        rest = rest.iter().zip(fact).map(|(r, f)| r - &m * f).collect();
+    }
+    let constant = rest.remove(0);
+    sound
+        && rest.iter().all(Zero::is_zero)
+        && match relation {
+            "=" => constant.is_zero(),
+            ">" => constant.is_positive() || (constant.is_zero() && strict),
+            _ => !constant.is_negative(),
+        }
+}
+
+fn invariance(body: &Value) -> bool {
+    let names = words(&body["system"]["state"]);
+    let node = |n: &Value| -> Vec<(Affine, &str)> {
+        words(&body["nodes"][n.as_str().unwrap()]).iter().map(|t| literal(&names, t)).collect()
+    };
+    let edges = body["edges"].as_array().unwrap().iter().all(|edge| {
+        let (known, goals) = (node(&edge["from"]), node(&edge["to"]));
+        goals.iter().zip(edge["multipliers"].as_array().unwrap()).all(|((goal, sign), row)| {
+            let images = edge
+                .get("by")
+                .map_or(vec![goal.clone()], |m| after(&body["system"], m.as_str().unwrap(), goal));
+            let row = row.as_array().unwrap();
+            row.len() == images.len()
+                && images.iter().zip(row).all(|(image, m)| follows(&known, image, sign, m))
+        })
+    });
+    let claims = body["claims"].as_array().unwrap().iter().all(|claim| {
+        let (goal, sign) = literal(&names, claim["holds"].as_str().unwrap());
+        follows(&node(&claim["at"]), &goal, sign, &claim["multipliers"])
+    });
+    ranges(&body["system"]) && edges && claims
+}
+
+/// Of two readouts: a form is definite if its principal minors are.
+fn quadratic(body: &Value) -> bool {
+    type Two = [[Rational; 2]; 2];
+    let system = &body["system"];
+    let readouts: Vec<Affine> = words(&body["readouts"])
+        .iter()
+        .map(|t| affine(&words(&system["state"]), |v| value(t, v)))
+        .collect();
+    let form = |mode: &str| -> Two {
+        let low = body.get("matrix").unwrap_or(&body["matrices"][mode]);
+        let [p, q, r] = [&low[0][0], &low[1][0], &low[1][1]].map(q);
+        [[p, q.clone()], [q, r]]
+    };
+    let minors =
+        |m: &Two| [m[0][0].clone(), m[1][1].clone(), &m[0][0] * &m[1][1] - &m[0][1] * &m[1][0]];
+    let modes: Vec<&String> = system["modes"].as_object().unwrap().keys().collect();
+    let y = ["y0".to_owned(), "y1".to_owned()];
+    let rate = body.get("rate").map(q);
+    let start = body.get("start").map(|s| {
+        let at: Vec<Rational> = qs(s);
+        readouts
+            .iter()
+            .map(|f| f[1..].iter().zip(&at).fold(f[0].clone(), |sum, (c, x)| sum + c * x))
+            .collect::<Vec<_>>()
+    });
+    ranges(system)
+        && rate.as_ref().is_none_or(|c| !c.is_negative() && *c < Rational::one())
+        && modes.iter().all(|mode| {
+            let p = form(mode);
+            let started = start.as_ref().is_none_or(|s| {
+                let two = Rational::from_integer(2.into());
+                (&p[0][0] * &s[0] * &s[0]
+                    + two * &p[1][0] * &s[0] * &s[1]
+                    + &p[1][1] * &s[1] * &s[1])
+                    .is_positive()
+            });
+            // The map at each end of the parameter, as a system of its own.
+            let rows = words(&body["maps"][mode.as_str()]);
+            let mut own = json!({ "state": y, "modes": { "m": { "y0": rows[0], "y1": rows[1] } } });
+            if let Some(parameters) = system.get("parameters") {
+                own["parameters"] = parameters.clone();
+            }
+            let int = |n: i32| Rational::from_integer(n.into());
+            let images =
+                [1, 0].map(|first| after(&own, "m", &vec![int(0), int(first), int(1 - first)]));
+            let vertices = images[0].len().max(images[1].len());
+            let a = |v: usize| -> Two {
+                [0, 1].map(|j| {
+                    let f = images[j].get(v).unwrap_or(&images[j][0]);
+                    [f[1].clone(), f[2].clone()]
+                })
+            };
+            let fits = (0..2).all(|j| {
+                let steps = after(system, mode, &readouts[j]);
+                (0..vertices).all(|v| {
+                    let a = a(v);
+                    let made: Affine = (0..readouts[0].len())
+                        .map(|n| &a[j][0] * &readouts[0][n] + &a[j][1] * &readouts[1][n])
+                        .collect();
+                    made == *steps.get(v).unwrap_or(&steps[0])
+                })
+            });
+            let falls = (0..vertices).all(|v| {
+                modes.iter().all(|target| {
+                    let (a, t) = (a(v), form(target));
+                    let moved = |i: usize, j: usize| -> Rational {
+                        (0..4).map(|n| &a[n / 2][i] * &t[n / 2][n % 2] * &a[n % 2][j]).sum()
+                    };
+                    let entry = |i: usize, j: usize| match &rate {
+                        Some(c) => c * c * &p[i][j] - moved(i, j),
+                        None => moved(i, j) - &p[i][j],
+                    };
+                    let left: Two = [0, 1].map(|i| [0, 1].map(|j| entry(i, j)));
+                    !minors(&left).iter().any(Signed::is_negative)
+                })
+            });
+            let measures = start.is_some() || minors(&p).iter().all(Signed::is_positive);
+            started && fits && falls && measures && (start.is_none() || vertices == 1)
+        })
 }
 
 fn refutation(body: &Value) -> bool {

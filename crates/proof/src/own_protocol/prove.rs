@@ -6,11 +6,16 @@
 //! (Houdini). The claims are proved if they survive. The step is affine in eps, so that what
 //! is kept at both ends of its range is kept throughout.
 
+use std::collections::BTreeMap;
+
 use serde_json::Value;
 
 use super::{OwnProtocol, inequalities};
-use crate::certificate::{self, HalfSpace};
+use crate::certificate::linear::{
+    Edge, Invariance, LinearSystem, Multipliers, NodeClaim, form, multipliers,
+};
 use cordon_core::Rational;
+use cordon_core::exact::fraction;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Premises, Sign, point};
 
@@ -24,8 +29,9 @@ pub struct InductiveProof {
     pub half_spaces: usize,
     /// How many of them say what the claims say.
     pub claimed: usize,
-    /// The invariance certificates, one a weight: at both ends of the range.
-    pub certificates: Vec<(Rational, Value)>,
+    /// That every assumed start meets the invariant, that each step keeps it at both ends of the range of
+    /// eps, and that the claims follow.
+    pub certificate: Value,
 }
 
 /// Whether no start meets the assumptions, so that there is nothing to prove.
@@ -64,7 +70,7 @@ pub fn prove(protocol: &OwnProtocol) -> Option<InductiveProof> {
             return None;
         }
         pool.retain(holds_of_start);
-        if let Some(proof) = kept(protocol, &weights, pool.clone(), claimed) {
+        if let Some(proof) = kept(protocol, &starts, &weights, pool.clone(), claimed) {
             return Some(proof);
         }
     }
@@ -83,6 +89,7 @@ fn extend(pool: &mut Vec<Constraint>, more: Vec<Constraint>) {
 /// Drops what is not kept until all is; fails when a claim has to go.
 fn kept(
     protocol: &OwnProtocol,
+    starts: &[Constraint],
     weights: &[Rational],
     mut pool: Vec<Constraint>,
     claimed: usize,
@@ -101,12 +108,8 @@ fn kept(
         let failed: Vec<bool> =
             (0..pool.len()).map(|j| proofs.iter().any(|rows| rows[j].is_none())).collect();
         if !failed.contains(&true) {
-            let certificates = weights
-                .iter()
-                .zip(&proofs)
-                .map(|(eps, rows)| Some((eps.clone(), sealed(protocol, eps, &pool, rows)?)))
-                .collect::<Option<Vec<_>>>()?;
-            return Some(InductiveProof { half_spaces: pool.len(), claimed, certificates });
+            let certificate = sealed(protocol, starts, &pool, claimed, &proofs)?;
+            return Some(InductiveProof { half_spaces: pool.len(), claimed, certificate });
         }
         if failed.iter().take(claimed).any(|&f| f) {
             return None;
@@ -126,30 +129,85 @@ fn substituted(form: &Affine, x: &[Affine]) -> Affine {
     })
 }
 
+/// Base case, step at both ends of the range of eps, and claims, in one certificate.
 fn sealed(
     protocol: &OwnProtocol,
-    eps: &Rational,
+    starts: &[Constraint],
     pool: &[Constraint],
-    rows: &[Option<Vec<Rational>>],
+    claimed: usize,
+    proofs: &[Vec<Option<Vec<Rational>>>],
 ) -> Option<Value> {
-    let padded = |coefficients: &[Rational]| {
-        let mut row = coefficients.to_vec();
-        row.resize(protocol.count, Rational::default());
-        row
+    let names: Vec<String> = (0..protocol.count).map(|i| format!("x{i}")).collect();
+    let text = |f: &Affine| {
+        let (constant, coefficients) = f.parts()?;
+        Some(form(constant, names.iter().map(String::as_str).zip(coefficients)))
     };
-    let mut matrix = Vec::new();
-    let mut offset = Vec::new();
-    for form in protocol.step_forms(eps, &protocol.variables()) {
-        let (constant, coefficients) = form.parts()?;
-        matrix.push(padded(coefficients));
-        offset.push(constant.clone());
+    let literal = |c: &Constraint| {
+        let sign = if c.sign == Sign::Positive { ">" } else { ">=" };
+        Some(format!("{} {sign} 0", text(&c.form)?))
+    };
+    let literals = |all: &[Constraint]| all.iter().map(literal).collect::<Option<Vec<_>>>();
+    let weights = protocol.extreme_weights();
+    let ends = weights.iter().map(|eps| protocol.step_forms(eps, &protocol.variables()));
+    let ends: Vec<Vec<Affine>> = ends.collect();
+    let mut step = BTreeMap::new();
+    let mut parameters = BTreeMap::new();
+    for (i, name) in names.iter().enumerate() {
+        let at = |end: &Vec<Affine>| end.get(i).cloned();
+        let row =
+            match (weights.as_slice(), ends.iter().map(at).collect::<Option<Vec<_>>>()?.as_slice())
+            {
+                // Affine in eps: low + slope (eps - lo).
+                ([lo, hi], [low, high]) => {
+                    parameters.insert("eps".to_owned(), [fraction(lo), fraction(hi)]);
+                    let scale = |f: Affine, by: Rational| f * &Affine::constant(by);
+                    let slope = scale(high.clone() - low, (hi - lo).recip());
+                    let rest = low.clone() - &scale(slope.clone(), lo.clone());
+                    match text(&slope)?.as_str() {
+                        "0" => text(&rest)?,
+                        slope => format!("{} + eps*({slope})", text(&rest)?),
+                    }
+                }
+                ([_], [only]) => text(only)?,
+                _ => return None,
+            };
+        step.insert(name.clone(), row);
     }
-    let half_space = |c: &Constraint| {
-        let (constant, coefficients) = c.form.parts()?;
-        let strict = c.sign == Sign::Positive;
-        Some(HalfSpace { normal: padded(coefficients), bound: -constant, strict })
+    let assumed = Premises::new(starts)?;
+    let base = pool.iter().map(|c| Some(vec![multipliers(&assumed.multipliers(c)?)]));
+    let rows = pool.iter().enumerate().map(|(j, c)| {
+        let row = |proof: &Vec<Option<Vec<Rational>>>| Some(multipliers(proof.get(j)?.as_ref()?));
+        let mut at_ends = proofs.iter().map(row).collect::<Option<Vec<_>>>()?;
+        // Where eps cancels, one end stands for both.
+        let mut after = ends.iter().map(|next| substituted(&c.form, next));
+        let first = after.next();
+        if after.all(|f| Some(f) == first) {
+            at_ends.truncate(1);
+        }
+        Some(at_ends)
+    });
+    let edge = |from: &str, by: Option<&str>, multipliers: Vec<Vec<Multipliers>>| Edge {
+        from: from.into(),
+        by: by.map(str::to_owned),
+        to: "kept".into(),
+        multipliers,
     };
-    let invariant = pool.iter().map(half_space).collect::<Option<Vec<_>>>()?;
-    let multipliers = rows.iter().cloned().collect::<Option<Vec<_>>>()?;
-    Some(certificate::invariance(&matrix, &offset, &invariant, &multipliers))
+    let claim = |(j, c): (usize, &Constraint)| {
+        let multipliers = BTreeMap::from([(j, "1".to_owned())]);
+        Some(NodeClaim { at: "kept".into(), holds: literal(c)?, multipliers })
+    };
+    let invariance = Invariance {
+        edges: vec![
+            edge("start", None, base.collect::<Option<_>>()?),
+            edge("kept", Some("step"), rows.collect::<Option<_>>()?),
+        ],
+        claims: pool.iter().take(claimed).enumerate().map(claim).collect::<Option<_>>()?,
+        nodes: [("start", starts), ("kept", pool)]
+            .into_iter()
+            .map(|(name, all)| Some((name.to_owned(), literals(all)?)))
+            .collect::<Option<_>>()?,
+        start: "start".into(),
+        system: LinearSystem { state: names, parameters, modes: [("step".into(), step)].into() },
+    };
+    Some(invariance.certificate())
 }

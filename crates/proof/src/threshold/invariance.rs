@@ -1,16 +1,25 @@
 //! The safe side of ordering and bound as invariance certificates in positions.
 
-use num_traits::{One, Signed, Zero};
+use std::collections::BTreeMap;
+
+use num_traits::{One, Zero};
 use serde_json::Value;
 
 use super::safety::Cone;
-use crate::certificate::{self, HalfSpace};
+use crate::certificate::linear::{Edge, Invariance, LinearSystem, NodeClaim, form, multipliers};
 use cordon_core::Rational;
 use cordon_core::linear::rows::Row;
 use cordon_core::stencil::{Role, Stencil};
 
-/// Most drones for which the format takes an invariance certificate (200 variables).
+/// Most drones for which a certificate is written: those of users' own protocols.
 pub const MOST: usize = 198;
+
+/// `normal . x = bound` (a pinned drone), `>=` or `>` it.
+struct Face {
+    normal: Vec<Rational>,
+    bound: Rational,
+    relation: &'static str,
+}
 
 /// The certificate that one step at weight `eps` keeps the cone, on the segment \[0, 1\]: in
 /// positions, with the protocol's matrix as the spec has it. `None` where a multiplier would
@@ -21,33 +30,56 @@ pub fn certificate(cone: Cone, count: usize, eps: &Rational) -> Option<Value> {
     }
     let stencil = Stencil::executed(eps);
     let (matrix, offset) = transition(&stencil, count);
-    let mut rows = pinned(count, 0, &Rational::zero());
-    rows.extend(pinned(count, count - 1, &Rational::one()));
-    let own = rows.len();
-    rows.extend(facets(cone, count));
+    let pinned =
+        |i: usize, at: Rational| Face { normal: unit(count, i, 1), bound: at, relation: "=" };
+    let mut faces = vec![pinned(0, Rational::zero()), pinned(count - 1, Rational::one())];
+    let own = faces.len();
+    faces.extend(facets(cone, count));
     let coefficients = cone_matrix(cone, &stencil, count)?;
-    let mut multipliers = Vec::new();
-    for (j, row) in rows.iter().enumerate() {
-        let target = times(&row.normal, &matrix);
-        let mut m = vec![Rational::zero(); rows.len()];
+    let mut rows = Vec::new();
+    for (j, face) in faces.iter().enumerate() {
+        let target = times(&face.normal, &matrix);
+        let mut m = vec![Rational::zero(); faces.len()];
         if let Some(parts) = j.checked_sub(own).and_then(|facet| coefficients.get(facet)) {
             m.splice(own.., parts.iter().cloned());
         }
         // What is left is a multiple of the pinned positions.
         let left = |x: usize| {
-            let have: Rational = rows.iter().zip(&m).map(|(r, m)| &r.normal[x] * m).sum();
+            let have: Rational = faces.iter().zip(&m).map(|(f, m)| &f.normal[x] * m).sum();
             &target[x] - have
         };
-        let (first, last) = (left(0), left(count - 1));
-        for (x, at) in [(first, 0), (last, 2)] {
-            m[if x.is_negative() { at + 1 } else { at }] = x.abs();
-        }
-        if m.iter().any(Signed::is_negative) {
+        (m[0], m[1]) = (left(0), left(count - 1));
+        if m[own..].iter().any(|m| *m < Rational::zero()) {
             return None;
         }
-        multipliers.push(m);
+        rows.push(vec![multipliers(&m)]);
     }
-    Some(certificate::invariance(&matrix, &offset, &rows, &multipliers))
+    let names: Vec<String> = (0..count).map(|i| format!("x{i}")).collect();
+    let text = |constant: &Rational, row: &[Rational]| {
+        form(constant, names.iter().map(String::as_str).zip(row))
+    };
+    let literal = |f: &Face| format!("{} {} 0", text(&-&f.bound, &f.normal), f.relation);
+    let claim = |(j, f): (usize, &Face)| NodeClaim {
+        at: "kept".into(),
+        holds: literal(f),
+        multipliers: BTreeMap::from([(j, "1".to_owned())]),
+    };
+    let updates = matrix.iter().zip(&offset).map(|(row, c)| text(c, row));
+    let step: BTreeMap<String, String> = names.iter().cloned().zip(updates).collect();
+    let edge =
+        Edge { from: "kept".into(), by: Some("step".into()), to: "kept".into(), multipliers: rows };
+    let invariance = Invariance {
+        start: "kept".into(),
+        edges: vec![edge],
+        claims: faces.iter().enumerate().skip(own).map(claim).collect(),
+        nodes: [("kept".into(), faces.iter().map(literal).collect())].into(),
+        system: LinearSystem {
+            modes: [("step".into(), step)].into(),
+            parameters: BTreeMap::new(),
+            state: names.clone(),
+        },
+    };
+    Some(invariance.certificate())
 }
 
 /// Matrix and offset of one step in positions on \[0, 1\].
@@ -78,31 +110,21 @@ fn unit(count: usize, i: usize, value: i32) -> Vec<Rational> {
     normal
 }
 
-/// x_i >= value and x_i <= value.
-fn pinned(count: usize, i: usize, value: &Rational) -> Vec<HalfSpace> {
-    let row = |sign: i32| HalfSpace {
-        normal: unit(count, i, sign),
-        bound: value * Rational::from_integer(sign.into()),
-        strict: false,
-    };
-    vec![row(1), row(-1)]
-}
-
 /// The cone's own half-spaces.
-fn facets(cone: Cone, count: usize) -> Vec<HalfSpace> {
+fn facets(cone: Cone, count: usize) -> Vec<Face> {
     match cone {
         Cone::PositiveGaps => (0..count - 1)
             .map(|i| {
                 let mut normal = unit(count, i, -1);
                 normal[i + 1] = Rational::one();
-                HalfSpace { normal, bound: Rational::zero(), strict: true }
+                Face { normal, bound: Rational::zero(), relation: ">" }
             })
             .collect(),
         Cone::NonnegativeErrors => (1..count - 1)
-            .map(|i| HalfSpace {
+            .map(|i| Face {
                 normal: unit(count, i, -1),
                 bound: -Rational::new(i.into(), (count - 1).into()),
-                strict: false,
+                relation: ">=",
             })
             .collect(),
     }

@@ -1,0 +1,149 @@
+//! Certificates about a linear system: what the kinds `invariance` and `quadratic` hold.
+//!
+//! Forms are text in the checker's own syntax: sums and products of numbers (`3/4`), names and brackets.
+//! Nothing is computed here: that the multipliers fit, the checker says.
+
+use std::collections::BTreeMap;
+
+use num_traits::{One, Signed, Zero};
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+use super::sealed;
+use cordon_core::Rational;
+use cordon_core::exact::fraction;
+
+/// What runs: in each step one of the modes acts, with any values of the parameters.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LinearSystem {
+    /// Names of the variables: a letter, then letters and digits, at most 40; not `last`.
+    pub state: Vec<String>,
+    /// The ends of each parameter's closed range. Every step may take other values.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub parameters: BTreeMap<String, [String; 2]>,
+    /// For each mode the variables that it changes, and to what: affine in the state together and in each
+    /// parameter. A variable that is not named keeps its value.
+    pub modes: BTreeMap<String, BTreeMap<String, String>>,
+}
+
+/// Farkas multipliers by the place of a literal among those known: >= 0, for equations of either sign.
+/// A literal that is not there has 0.
+pub type Multipliers = BTreeMap<usize, String>;
+
+/// What holds along the runs of a system.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Invariance {
+    /// What runs.
+    pub system: LinearSystem,
+    /// Literals (`form > 0`, `form >= 0`, `form = 0`, the form affine in the state) by the name of the node.
+    pub nodes: BTreeMap<String, Vec<String>>,
+    /// The node that is assumed of the start.
+    pub start: String,
+    /// Why one node follows from another.
+    pub edges: Vec<Edge>,
+    /// What follows from a node: one at least.
+    pub claims: Vec<NodeClaim>,
+}
+
+/// That `to` holds wherever `from` did a step of mode `by` earlier, or does now.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Edge {
+    /// The node known to hold.
+    pub from: String,
+    /// The mode of the step; none for an edge that takes none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub by: Option<String>,
+    /// The node shown to hold.
+    pub to: String,
+    /// For each literal of `to`: of its form after the step, at each vertex of the parameters that occur in
+    /// that form (a range that is a point counts once), the multipliers of the literals of `from`. Vertices are ordered by the
+    /// parameters' names, low before high, the last name changing fastest; without parameters there is one.
+    pub multipliers: Vec<Vec<Multipliers>>,
+}
+
+/// A literal that follows from a node.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NodeClaim {
+    /// The node.
+    pub at: String,
+    /// The literal.
+    pub holds: String,
+    /// The multipliers of the node's literals.
+    pub multipliers: Multipliers,
+}
+
+/// That readouts y tend to 0, or do not: by a quadratic form y'Py.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Quadratic {
+    /// What runs.
+    pub system: LinearSystem,
+    /// y0, y1, ...: affine forms of the state, at most 200.
+    pub readouts: Vec<String>,
+    /// For each mode and each readout: what it is after a step, linear in y0, y1, ... and affine in each parameter.
+    pub maps: BTreeMap<String, Vec<String>>,
+    /// P for every mode, as a lower triangle (row i has i + 1 numbers).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub matrix: Option<Vec<Vec<String>>>,
+    /// In its place a P for each mode, which measures where that mode acts next.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub matrices: BTreeMap<String, Vec<Vec<String>>>,
+    /// All y tend to 0: P > 0 and rate^2 P - A'PA >= 0 at every vertex, 0 <= rate < 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rate: Option<String>,
+    /// In its place a state from which they do not: A'PA - P >= 0 and y'Py > 0 there; no ranges.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub start: Option<Vec<String>>,
+}
+
+impl Invariance {
+    /// The certificate.
+    pub fn certificate(&self) -> Value {
+        sealed("invariance", json!(self))
+    }
+}
+
+impl Quadratic {
+    /// The certificate.
+    pub fn certificate(&self) -> Value {
+        sealed("quadratic", json!(self))
+    }
+}
+
+/// Multipliers from a list with an entry a literal.
+pub fn multipliers(all: &[Rational]) -> Multipliers {
+    let nonzero = all.iter().enumerate().filter(|(_, m)| !m.is_zero());
+    nonzero.map(|(i, m)| (i, fraction(m))).collect()
+}
+
+/// The form `constant + sum of coefficients * names` as text.
+pub fn form<'n>(
+    constant: &Rational,
+    terms: impl IntoIterator<Item = (&'n str, &'n Rational)>,
+) -> String {
+    let mut text = String::new();
+    let mut add = |c: &Rational, name: Option<&str>| {
+        text += match (c.is_negative(), text.is_empty()) {
+            (true, true) => "-",
+            (true, false) => " - ",
+            (false, true) => "",
+            (false, false) => " + ",
+        };
+        text += &match name {
+            Some(name) if c.abs().is_one() => name.to_owned(),
+            Some(name) => format!("{}*{name}", fraction(&c.abs())),
+            None => fraction(&c.abs()),
+        };
+    };
+    for (name, c) in terms.into_iter().filter(|(_, c)| !c.is_zero()) {
+        add(c, Some(name));
+    }
+    if !constant.is_zero() {
+        add(constant, None);
+    }
+    if text.is_empty() { "0".to_owned() } else { text }
+}

@@ -5,7 +5,6 @@ pub mod certificate;
 pub mod claims;
 pub mod counterexample;
 pub mod export;
-pub mod own_protocol;
 pub mod prove;
 pub mod refute;
 pub mod settle;

@@ -10,7 +10,7 @@ use super::table::{self, abridged};
 use cordon_core::exact::fraction;
 use cordon_core::text::shell_word;
 use cordon_core::{Error, Evidence, Outcome, Rational, Result};
-use cordon_proof::certificate::{self, REJECTED};
+use cordon_proof::certificate;
 use cordon_proof::counterexample::list;
 use cordon_proof::own_protocol::prove::{InductiveProof, is_vacuous, prove as find_proof};
 use cordon_proof::own_protocol::refute::{Run, check, refute as find_run, weights};
@@ -49,9 +49,8 @@ pub fn prove(
 ) -> Result<Outcome> {
     let protocol = read_sensible(path)?;
     if let Some(proof) = find_proof(&protocol) {
-        if !proof.certificates.iter().all(|(_, c)| certificate::accepted(c)) {
-            writeln!(out, "{REJECTED}")?;
-            return Ok(Outcome::Rejected);
+        for (_, found) in &proof.certificates {
+            certificate::judged(found)?;
         }
         let files = match folder {
             Some(folder) => write_all(path, folder, &proof)?,
@@ -191,9 +190,10 @@ fn proved(
     };
     writeln!(
         out,
-        "  {}: {} half-spaces, {} of them claimed, each kept by a step{at} ({})",
+        "  {}: {} half-space{}, {} of them claimed, each kept by a step{at} ({})",
         Evidence::Inductive,
         proof.half_spaces,
+        if proof.half_spaces == 1 { "" } else { "s" },
         proof.claimed,
         Evidence::Certified
     )?;

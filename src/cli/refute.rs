@@ -8,15 +8,14 @@ use num_traits::{One, Zero};
 use serde_json::{Value, json};
 
 use super::own_protocol;
-use super::progress;
 use super::scenario_args::positions;
 use super::select::{FormArg, OutputFormat};
 use super::table::{self, abridged};
 use cordon_core::exact::fraction;
 use cordon_core::linear::simplest::fractions_within;
 use cordon_core::theorems;
-use cordon_core::{Error, Outcome, Rational, Result, range};
-use cordon_proof::certificate::{self, Departure, REJECTED};
+use cordon_core::{Error, Outcome, Rational, Result, progress, range};
+use cordon_proof::certificate::{self, Departure};
 use cordon_proof::counterexample::Counterexample;
 use cordon_proof::refute::{
     Coverage, Extent, SearchResult, SearchSpace, activation, delay, search,
@@ -91,9 +90,8 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     }
     let mut outcome = Outcome::Holds;
     let mut results = Vec::new();
-    progress::expect(spaces.len());
+    progress::expect(spaces.iter().map(SearchSpace::pieces).sum());
     for space in &spaces {
-        progress::advance();
         let answer = match args.delay {
             Some(longest) => delay::search(space, longest)?,
             None if args.activation => activation::search(space)?,
@@ -104,9 +102,8 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             None => Outcome::Inconclusive,
         });
         let refutation = answer.found.as_ref().map(certificate::refutation);
-        if refutation.as_ref().is_some_and(|c| !certificate::accepted(c)) {
-            writeln!(out, "{REJECTED}")?;
-            return Ok(Outcome::Rejected);
+        if let Some(refutation) = &refutation {
+            certificate::judged(refutation)?;
         }
         let file = match (&args.out, &refutation) {
             (Some(path), Some(refutation)) => Some(certificate::write_file(path, refutation)?),

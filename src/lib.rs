@@ -213,5 +213,5 @@ pub fn check_certificate(text: &str) -> CertificateVerdict {
 /// # }
 /// ```
 pub fn fly(scenario: Scenario, flight: Flight) -> Result<Record> {
-    cordon_cosim::run::run(&Cosimulation::new(scenario, flight)?, |_| {})
+    cordon_cosim::run::run(&Cosimulation::new(scenario, flight)?)
 }

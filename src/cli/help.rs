@@ -156,6 +156,9 @@ fn hinted(arg: Arg) -> Arg {
     };
     let is_theorems = matches!(arg.get_id().as_str(), "theorems" | "theorem" | "check")
         || names.first().is_some_and(|n| n.as_str() == "NUMBERS") && is_text(&arg);
+    // `-1` is a number that is out of range, no flag.
+    let takes_number = arg.get_action().takes_values() && !arg.is_positional();
+    let arg = if takes_number { arg.allow_negative_numbers(true) } else { arg };
     let arg = arg.value_hint(hint);
     if is_theorems {
         arg.value_parser(ValueParser::new(Theorems)).hide_possible_values(true)

@@ -3,6 +3,7 @@
 use std::io::Write;
 use std::path::PathBuf;
 
+use num_traits::Signed;
 use serde_json::{Value, json};
 
 use super::progress;
@@ -11,8 +12,8 @@ use super::select::OutputFormat;
 use cordon_core::exact::{self, decimal_string, fraction};
 use cordon_core::linear::perron::Perron;
 use cordon_core::{Error, Evidence, Outcome, Rational, Result};
-use cordon_proof::certificate::{self, REJECTED};
-use cordon_proof::settle::{Contraction, Observed, Proved, Settling, Starts, settling};
+use cordon_proof::certificate;
+use cordon_proof::settle::{Contraction, DRONES, Observed, Proved, Settling, Starts, settling};
 use cordon_proof::threshold::convergence::rounded_up_below_one;
 
 /// Arguments of `cordon settle`.
@@ -59,7 +60,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             Starts::One(start)
         }
     };
-    if args.drones > QUICK {
+    if args.drones > QUICK && DRONES.contains(&args.drones) && within.is_positive() {
         progress::announce(&format!("{} drones: this may take some minutes", args.drones));
     }
     let found = settling(&starts, &eps, &within)?;
@@ -68,11 +69,10 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         Settling::NotFromEveryStart(w) => {
             ("growth", Some(certificate::growth(args.drones, &eps, &w.weights)))
         }
-        Settling::Stays(_) | Settling::NeverFromThisStart | Settling::Undecided => ("", None),
+        Settling::Stays { .. } | Settling::NeverFromThisStart | Settling::Undecided => ("", None),
     };
-    if certificate.as_ref().is_some_and(|c| !certificate::accepted(c)) {
-        writeln!(out, "{REJECTED}")?;
-        return Ok(Outcome::Rejected);
+    if let Some(certificate) = &certificate {
+        certificate::judged(certificate)?;
     }
     let file = match (&args.out, &certificate) {
         (Some(folder), Some(c)) => {
@@ -110,7 +110,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         }
     }
     Ok(match found {
-        Settling::Settles { observed: Observed::Step(_), .. } | Settling::Stays(_) => {
+        Settling::Settles { observed: Observed::Step(_), .. } | Settling::Stays { .. } => {
             Outcome::Holds
         }
         Settling::NeverFromThisStart => Outcome::Refuted,
@@ -183,7 +183,7 @@ fn text(args: &Args, found: &Settling, out: &mut dyn Write) -> Result<()> {
                 writeln!(out, "          whether this one does is not decided")?;
             }
         }
-        Settling::Stays(step) => {
+        Settling::Stays { step, .. } => {
             writeln!(
                 out,
                 "  true    step {step:<8} within the distance for ever, though not every start converges at this weight"
@@ -224,9 +224,9 @@ fn as_json(found: &Settling) -> Value {
             "evidence": "growth",
             "vector": vector(w),
         }),
-        Settling::Stays(step) => json!({
+        Settling::Stays { step, converges } => json!({
             "settles": true,
-            "converges": false,
+            "converges": converges,
             "true": { "step": step, "evidence": "closed form of the errors" },
         }),
         Settling::NeverFromThisStart => json!({

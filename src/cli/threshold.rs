@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::select::OutputFormat;
 use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::{Evidence, Outcome, Rational, Result};
-use cordon_proof::certificate::{self, REJECTED};
+use cordon_proof::certificate;
 use cordon_proof::threshold::convergence::{self, Bracket};
 use cordon_proof::threshold::safety::{self, Cone, Critical};
 use cordon_proof::threshold::{check_size, invariance};
@@ -81,10 +81,7 @@ fn keep(args: &Args, cone: Cone, out: &mut dyn Write) -> Result<Outcome> {
         );
     }
     certificates.push((args.file_name("above"), certificate::refutation(&found.above)));
-    let Some(files) = judged_and_written(args, &certificates)? else {
-        writeln!(out, "{REJECTED}")?;
-        return Ok(Outcome::Rejected);
-    };
+    let files = judged_and_written(args, &certificates)?;
     match args.format {
         OutputFormat::Text => {
             keep_text(args, &found, out)?;
@@ -177,10 +174,7 @@ fn converge(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         ),
         (args.file_name("above"), certificate::growth(args.drones, &found.above, w)),
     ];
-    let Some(files) = judged_and_written(args, &certificates)? else {
-        writeln!(out, "{REJECTED}")?;
-        return Ok(Outcome::Rejected);
-    };
+    let files = judged_and_written(args, &certificates)?;
     match args.format {
         OutputFormat::Text => {
             converge_text(args, &found, out)?;
@@ -248,7 +242,7 @@ fn converge_text(args: &Args, found: &Bracket, out: &mut dyn Write) -> Result<()
     Ok(())
 }
 
-/// 10^-m as such.
+/// A fraction in short: powers of ten as 10^-m.
 fn short(unit: &Rational) -> String {
     let text = unit.denom().to_string();
     match text.strip_prefix('1').filter(|z| z.bytes().all(|b| b == b'0')) {
@@ -263,18 +257,18 @@ impl Args {
     }
 }
 
-/// Has the certificates checked and writes them; the files, or `None` where one is rejected.
-fn judged_and_written(args: &Args, certificates: &[Named]) -> Result<Option<Vec<String>>> {
-    if !certificates.iter().all(|(_, c)| certificate::accepted(c)) {
-        return Ok(None);
+/// Has the certificates checked and writes them; the files.
+fn judged_and_written(args: &Args, certificates: &[Named]) -> Result<Vec<String>> {
+    for (_, found) in certificates {
+        certificate::judged(found)?;
     }
     let Some(folder) = &args.out else {
-        return Ok(Some(Vec::new()));
+        return Ok(Vec::new());
     };
     let files = certificates
         .iter()
         .map(|(name, c)| Ok(certificate::write(folder, name, c)?.display().to_string()));
-    files.collect::<Result<_>>().map(Some)
+    files.collect()
 }
 
 fn list_files(args: &Args, files: &[String], out: &mut dyn Write) -> Result<()> {

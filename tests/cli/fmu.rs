@@ -4,6 +4,7 @@ use std::io::{Cursor, Read, Write};
 use std::path::{Path, PathBuf};
 
 use crate::common::run;
+use crate::common::schema::meets;
 use cordon_cosim::fmi::interface::{FmiVersion, Model, TAU};
 use cordon_cosim::fmi::slave::{Mode, Severity, Slave};
 use cordon_cosim::unit::{Causality, Kind, Value};
@@ -100,6 +101,8 @@ fn a_state_that_went_through_bytes_goes_on_as_before() {
             feed(&mut a, k);
         }
         let bytes = a.save().unwrap().to_bytes();
+        let page = serde_json::from_slice(&bytes).unwrap();
+        meets("cordon-fmu-state/1", &page, "the state of an FMU");
         let at_10 = outputs(model, &mut a);
         for k in 10..20 {
             feed(&mut a, k);

@@ -190,7 +190,7 @@ fn swarm() -> Cosimulation {
 
 #[test]
 fn recorded_runs() {
-    let record = cordon_cosim::run::run(&swarm(), |_| {}).unwrap();
+    let record = cordon_cosim::run::run(&swarm()).unwrap();
     for (name, format) in [("run.csv", store::Format::Csv), ("run.json", store::Format::Json)] {
         let mut good = Vec::new();
         store::write(&record, format, &mut good).unwrap();
@@ -203,8 +203,20 @@ fn result_files_of_sweeps() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("sweep.jsonl");
     let out = path.display().to_string();
-    let call =
-        ["sweep", "7.2,7.6ii", "--drones", "3", "--grid", "3", "--steps", "2", "--out", &out];
+    let call = [
+        "sweep",
+        "7.2,7.6ii",
+        "--form",
+        "both",
+        "--drones",
+        "3",
+        "--grid",
+        "3",
+        "--steps",
+        "2",
+        "--out",
+        &out,
+    ];
     assert_eq!(crate::common::run(&call).0, 1);
     let good = fs::read(&path).unwrap();
     let merge = |path: &Path| cordon_proof::sweep::merge::merge(&[path.to_owned()]);

@@ -11,7 +11,7 @@ use num_traits::Signed;
 use rayon::prelude::*;
 
 use crate::fast::line::Weights;
-use cordon_core::{Error, Rational, Result, exact};
+use cordon_core::{Error, Rational, Result, exact, progress};
 
 /// The unit roundoff of doubles.
 const ROUNDOFF: f64 = 1.0 / (1u64 << 53) as f64;
@@ -107,6 +107,7 @@ impl Swarm {
 
     /// `steps` protocol steps of all drones, on all cores; the result does not depend on them.
     pub fn advance(&mut self, steps: u64) {
+        progress::expect(steps);
         let mut next = vec![0.0; self.positions.len()];
         let mut left = steps;
         while left > 0 {
@@ -119,6 +120,7 @@ impl Swarm {
             (0..now).for_each(|_| self.account());
             left -= now as u64;
             self.steps += now as u64;
+            progress::advance(now as u64);
         }
     }
 

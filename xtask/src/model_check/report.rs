@@ -16,17 +16,21 @@ const SCHEMA: &str = "cordon-kani/1";
 /// A harness with what was found of it.
 #[derive(Clone, Debug)]
 pub struct Checked {
-    /// The harness.
+    /// The harness, as the crate `cordon-kani` lists it.
     pub harness: &'static Harness,
-    /// What was found.
+    /// What Kani's report of it amounts to.
     pub finding: Finding,
 }
 
-/// A run.
+/// What one run of Kani came to.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// What ran.
+    /// The Kani that ran, with its version.
     pub kani: Kani,
+    /// When, in UTC: `2026-01-31`.
+    pub date: String,
+    /// Hash of the sources that it ran for, where they are there.
+    pub sources: Option<String>,
     /// What it might take.
     pub limits: Limits,
     /// Every harness that was asked for.
@@ -39,6 +43,8 @@ pub struct Report {
 struct Page<'r> {
     schema: &'static str,
     kani: &'r str,
+    date: &'r str,
+    sources: Option<&'r str>,
     jobs: usize,
     seconds_limit: u64,
     mebibytes_limit: u64,
@@ -133,6 +139,8 @@ impl Report {
         let page = Page {
             schema: SCHEMA,
             kani: &self.kani.version,
+            date: &self.date,
+            sources: self.sources.as_deref(),
             jobs: self.limits.jobs,
             seconds_limit: self.limits.seconds,
             mebibytes_limit: self.limits.mebibytes,

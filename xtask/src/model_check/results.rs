@@ -24,6 +24,21 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    const ALL: [Self; 7] = [
+        Self::Proved,
+        Self::Refuted,
+        Self::Vacuous,
+        Self::TimedOut,
+        Self::OutOfMemory,
+        Self::Broken,
+        Self::Missing,
+    ];
+
+    /// The verdict with this label.
+    pub fn labelled(label: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|v| v.label() == label)
+    }
+
     /// The verdict in a word or two.
     pub fn label(self) -> &'static str {
         match self {

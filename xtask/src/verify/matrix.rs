@@ -118,12 +118,12 @@ impl Cell {
     }
 }
 
-/// One tier's column.
+/// What one tier has to say of each theorem.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
     /// Name of the tier.
     pub name: &'static str,
-    /// Evidence of evidence.
+    /// The kind of evidence.
     pub kind: Evidence,
     /// One cell a theorem, in the matrix's order.
     pub cells: Vec<Cell>,
@@ -134,9 +134,9 @@ pub struct Column {
 /// Theorem x kind of evidence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Matrix {
-    /// The rows.
+    /// The theorems, one a row.
     pub theorems: Vec<Theorem>,
-    /// The columns.
+    /// The tiers, one a column.
     pub columns: Vec<Column>,
 }
 

@@ -36,6 +36,12 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// The worse of two verdicts, the first where they are alike.
+    #[must_use]
+    pub fn worse(self, other: Self) -> Self {
+        if self.outcome().worst(other.outcome()) == self.outcome() { self } else { other }
+    }
+
     /// What a run with this verdict ends with.
     pub fn outcome(&self) -> Outcome {
         match self {

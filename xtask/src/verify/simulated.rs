@@ -9,7 +9,7 @@ use cordon_core::Result;
 use cordon_run::scenario::Scenario;
 use cordon_run::{scenario, trace};
 
-/// The tier.
+/// Random exact runs of the spec.
 #[derive(Clone, Copy, Debug)]
 pub struct Simulated;
 

@@ -14,7 +14,7 @@ use cordon_proof::sweep::{Config, Judgement, StartSpace, WeightSet};
 #[derive(Clone, Copy, Debug)]
 pub struct Grid;
 
-/// Complete sweeps.
+/// Sweeps from all real starts.
 #[derive(Clone, Copy, Debug)]
 pub struct Complete;
 

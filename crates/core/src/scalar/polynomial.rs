@@ -44,7 +44,7 @@ impl Polynomial {
         Self::term(Monomial(BTreeMap::from([(v, 1)])), Rational::one())
     }
 
-    /// A constant.
+    /// The polynomial of degree 0 with this value.
     pub fn constant(c: Rational) -> Self {
         Self::term(Monomial::default(), c)
     }

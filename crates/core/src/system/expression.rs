@@ -318,7 +318,8 @@ impl<'t> Parser<'t> {
         let ends = |c: char| !(c.is_ascii_alphanumeric() || (starts_number && c == '.'));
         let word = rest.get(..rest.find(ends).unwrap_or(rest.len())).unwrap_or_default();
         if starts_number {
-            let number = exact::parse("number", word).map_err(|_| self.fault("expected a number"))?;
+            let number =
+                exact::parse("number", word).map_err(|_| self.fault("expected a number"))?;
             self.at += word.len();
             return Ok(Expression { node: Node::Number(number), at });
         }

@@ -40,7 +40,8 @@ impl Mode {
     ) -> Result<Self> {
         let symbol = |v: usize| Polynomial::variable(u32::try_from(v).unwrap_or(u32::MAX));
         let state: Vec<Polynomial> = (0..variables).map(symbol).collect();
-        let symbols: Vec<Polynomial> = (0..parameters.len()).map(|p| symbol(variables + p)).collect();
+        let symbols: Vec<Polynomial> =
+            (0..parameters.len()).map(|p| symbol(variables + p)).collect();
         let next = step(|c| Polynomial::constant(c.clone()), &symbols, &state);
         if next.len() != variables {
             return Err(Error::input(format!(
@@ -67,7 +68,12 @@ impl Mode {
     }
 
     /// The step on any scalars.
-    pub fn step<S: Scalar>(&self, number: &impl Fn(&Rational) -> S, parameters: &[S], x: &[S]) -> Vec<S> {
+    pub fn step<S: Scalar>(
+        &self,
+        number: &impl Fn(&Rational) -> S,
+        parameters: &[S],
+        x: &[S],
+    ) -> Vec<S> {
         let value = |p: &Polynomial| {
             p.terms().fold(S::from_int(0), |sum, (m, c)| {
                 let factors = m.powers().filter_map(|(v, _)| parameters.get(v as usize));
@@ -178,6 +184,8 @@ fn row(next: &Polynomial, variables: usize, parameters: &[Parameter]) -> Result<
             }
         }
     }
-    debug_assert!(constant.coefficient(&Monomial::default()) == next.coefficient(&Monomial::default()));
+    debug_assert!(
+        constant.coefficient(&Monomial::default()) == next.coefficient(&Monomial::default())
+    );
     Ok(Row { constant, entries })
 }

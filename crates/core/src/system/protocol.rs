@@ -29,7 +29,12 @@ pub trait Protocol {
 
     /// The next state, agent by agent. `number` embeds numbers; the step may add, subtract and
     /// multiply, and branch on indices only.
-    fn step<S: Scalar>(&self, number: &impl Fn(&Rational) -> S, parameters: &[S], x: &[S]) -> Vec<S>;
+    fn step<S: Scalar>(
+        &self,
+        number: &impl Fn(&Rational) -> S,
+        parameters: &[S],
+        x: &[S],
+    ) -> Vec<S>;
 }
 
 /// The paper's coverage protocol (equation 10) on the segment \[min, max\].
@@ -64,7 +69,12 @@ impl Protocol for Coverage {
         "coverage".to_owned()
     }
 
-    fn step<S: Scalar>(&self, number: &impl Fn(&Rational) -> S, parameters: &[S], x: &[S]) -> Vec<S> {
+    fn step<S: Scalar>(
+        &self,
+        number: &impl Fn(&Rational) -> S,
+        parameters: &[S],
+        x: &[S],
+    ) -> Vec<S> {
         let eps = parameters.first().cloned().unwrap_or_else(|| S::from_int(0));
         let p = Params { min: number(&self.min), max: number(&self.max), eps, n: 0 };
         exec_coverage(&p, &State { drones: x.to_vec(), timesteps: 0 }).drones

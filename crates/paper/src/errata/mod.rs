@@ -31,7 +31,7 @@ pub struct Finding {
 }
 
 impl Erratum {
-    /// Computes the finding.
+    /// Runs the spec, and says whether the paper's print is wrong as claimed.
     pub fn establish(&self) -> Finding {
         (self.compute)()
     }

@@ -39,7 +39,7 @@ pub(super) const ERRATA: &[Erratum] = &[
 /// Ticks a second at the paper's co-simulation step of 0.05 s.
 const TICKS_PER_SECOND: u64 = 20;
 
-/// The paper's start.
+/// The start of the paper's runs, in m: 0, 10, 20, 30, 100.
 pub(super) fn paper_start() -> Vec<Rational> {
     [0, 10, 20, 30, 100].map(Rational::from_int).to_vec()
 }

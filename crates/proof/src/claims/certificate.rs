@@ -55,9 +55,10 @@ pub fn certificate(system: &System, proof: &Proof) -> Option<Value> {
         place.push(node.len());
         node.push(literal(system, &row.is)?);
     }
-    let sparse = |m: &[(usize, Rational)], at: &dyn Fn(usize) -> Option<usize>| -> Option<Multipliers> {
-        m.iter().map(|(j, m)| Some((at(*j)?, fraction(m)))).collect()
-    };
+    let sparse =
+        |m: &[(usize, Rational)], at: &dyn Fn(usize) -> Option<usize>| -> Option<Multipliers> {
+            m.iter().map(|(j, m)| Some((at(*j)?, fraction(m)))).collect()
+        };
     let starts = system.start_constraints();
     let assumed = starts.iter().map(|c| literal(system, c)).collect::<Option<Vec<_>>>()?;
     nodes.insert(START.to_owned(), assumed);
@@ -68,8 +69,7 @@ pub fn certificate(system: &System, proof: &Proof) -> Option<Value> {
     let entry = of_moment(0)
         .map(|(j, _)| Some(vec![sparse(base(j)?, &Some)?]))
         .collect::<Option<Vec<_>>>()?;
-    let enter =
-        Edge { from: START.to_owned(), by: None, to: first.clone(), multipliers: entry };
+    let enter = Edge { from: START.to_owned(), by: None, to: first.clone(), multipliers: entry };
     let mut edges = vec![enter];
     for (e, edge) in automaton.edges.iter().enumerate() {
         let mut multipliers = Vec::new();

@@ -1,12 +1,12 @@
 //! The claims about a system: proved with a certificate, or refuted by a smallest run.
 
 pub mod automaton;
-pub mod certificate;
 mod bounds;
+pub mod certificate;
 mod refute;
 pub mod search;
 
-pub use refute::{Run, constants, follow, refute};
+pub use refute::{MOST_COMBINATIONS, Run, constants, follow, refute};
 
 use cordon_core::Rational;
 use cordon_core::linear::feasible::point;

@@ -93,7 +93,9 @@ pub fn refute(
                 }
             }
             Answer::Proved(_) => {}
-            Answer::Open(depth) => complete = complete.min(depth.max(if depth >= deepest { steps } else { 0 })),
+            Answer::Open(depth) => {
+                complete = complete.min(depth.max(if depth >= deepest { steps } else { 0 }))
+            }
         }
     }
     (best, complete)

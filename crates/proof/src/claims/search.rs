@@ -158,7 +158,9 @@ impl<'s> Search<'s> {
             if self.rows[j].moment == 0 {
                 match self.holds_of_start(j) {
                     Some(multipliers) => self.base.push((j, multipliers)),
-                    None => return self.refuted(j).filter(|_| may_refute).unwrap_or(Answer::Open(0)),
+                    None => {
+                        return self.refuted(j).filter(|_| may_refute).unwrap_or(Answer::Open(0));
+                    }
                 }
             }
         }
@@ -245,7 +247,12 @@ impl<'s> Search<'s> {
         values
     }
 
-    fn pre_image(&self, row: usize, mode: usize, corner: &[(usize, Rational)]) -> Option<Constraint> {
+    fn pre_image(
+        &self,
+        row: usize,
+        mode: usize,
+        corner: &[(usize, Rational)],
+    ) -> Option<Constraint> {
         let map = self.system.modes.get(mode)?.at(&self.values(corner));
         let Constraint { form, sign } = &self.rows[row].is;
         let form = map.pulled_back(form)?;
@@ -412,7 +419,11 @@ impl<'s> Search<'s> {
 }
 
 /// A start that meets the assumptions and of which the half-space fails.
-pub fn violating(variables: usize, starts: &[Constraint], is: &Constraint) -> Option<Vec<Rational>> {
+pub fn violating(
+    variables: usize,
+    starts: &[Constraint],
+    is: &Constraint,
+) -> Option<Vec<Rational>> {
     // The negation of form > 0 is -form >= 0, and of form >= 0 it is -form > 0.
     let form = Affine::constant(Rational::zero()) - &is.form;
     let with = |sign| {
@@ -421,5 +432,6 @@ pub fn violating(variables: usize, starts: &[Constraint], is: &Constraint) -> Op
         point(variables, &all)
     };
     // A real violation first, then one that only touches the bound.
-    with(Sign::Positive).or_else(|| (is.sign == Sign::Positive).then(|| with(Sign::NonNegative)).flatten())
+    with(Sign::Positive)
+        .or_else(|| (is.sign == Sign::Positive).then(|| with(Sign::NonNegative)).flatten())
 }

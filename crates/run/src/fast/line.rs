@@ -144,7 +144,7 @@ impl Line {
 /// The weights of the coverage protocol's internal drones over a common denominator.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Weights {
-    /// Of each neighbour.
+    /// Numerator of the weight of each neighbour.
     pub side: BigInt,
     /// Of the drone itself.
     pub centre: BigInt,
@@ -181,7 +181,7 @@ fn too_few(count: usize) -> Error {
 }
 
 fn not_a_line() -> Error {
-    Error::input("protocol: the fast engines expected one symmetric rule along the line")
+    Error::internal("the spec's step is no symmetric rule along the line")
 }
 
 #[cfg(test)]

@@ -71,7 +71,9 @@ impl Meaning for About<'_> {
 
     fn indexed(&self, name: &str, index: &Rational) -> std::result::Result<Polynomial, String> {
         match usize::try_from(index.to_integer()) {
-            Ok(agent) if index.is_integer() && agent < self.claims.agents => self.state(agent, name),
+            Ok(agent) if index.is_integer() && agent < self.claims.agents => {
+                self.state(agent, name)
+            }
             _ if self.depends.get() && index.is_integer() => {
                 self.beyond.set(true);
                 Ok(Polynomial::default())
@@ -151,7 +153,12 @@ impl Claims<'_> {
         Ok(all)
     }
 
-    fn refuse_too_many(&self, field: &str, at: &std::ops::Range<usize>, count: usize) -> Result<()> {
+    fn refuse_too_many(
+        &self,
+        field: &str,
+        at: &std::ops::Range<usize>,
+        count: usize,
+    ) -> Result<()> {
         if count <= MOST_COMPARISONS {
             return Ok(());
         }
@@ -159,7 +166,12 @@ impl Claims<'_> {
         Err(self.source.error(at, &message))
     }
 
-    fn predicates(&self, field: &str, at: &std::ops::Range<usize>, text: &str) -> Result<Vec<Predicate>> {
+    fn predicates(
+        &self,
+        field: &str,
+        at: &std::ops::Range<usize>,
+        text: &str,
+    ) -> Result<Vec<Predicate>> {
         let wrong = |e: SyntaxError| syntax(self.source, field, at, &e);
         let mut all = Vec::new();
         for comparison in comparisons(text).map_err(wrong)? {
@@ -257,4 +269,3 @@ pub(super) fn affine(p: &Polynomial) -> Option<Affine> {
     }
     Some(Affine::new(constant, coefficients))
 }
-

@@ -107,7 +107,8 @@ impl Document {
     pub fn refuse_former_keys(&self, source: &Source<'_>) -> Result<()> {
         if let Some(format) = &self.format {
             if format.get_ref() != "cordon-protocol/1" {
-                let message = format!("format: `{}`: expected `cordon-protocol/1`", format.get_ref());
+                let message =
+                    format!("format: `{}`: expected `cordon-protocol/1`", format.get_ref());
                 return Err(source.error(&format.span(), &message));
             }
         }
@@ -204,7 +205,11 @@ impl Document {
     }
 
     /// The parameters that the file names.
-    pub fn parameters(&self, source: &Source<'_>, variables: &[Variable]) -> Result<Vec<Parameter>> {
+    pub fn parameters(
+        &self,
+        source: &Source<'_>,
+        variables: &[Variable],
+    ) -> Result<Vec<Parameter>> {
         let parameter = |(key, value): (&Spanned<String>, &Spanned<Value>)| {
             let name = key.get_ref();
             let field = format!("parameters.{name}");
@@ -238,8 +243,8 @@ impl Document {
                     return Ok(Parameter { name: name.clone(), low, high, kind });
                 }
             };
-            let (low, high) =
-                range::closed(&field, &range).map_err(|e| source.error(&value.span(), &e.to_string()))?;
+            let (low, high) = range::closed(&field, &range)
+                .map_err(|e| source.error(&value.span(), &e.to_string()))?;
             Ok(Parameter { name: name.clone(), low, high, kind })
         };
         self.parameters.iter().map(parameter).collect()
@@ -282,19 +287,26 @@ impl Document {
         }
     }
 
-    pub fn converges(&self, source: &Source<'_>, claims: &Claims<'_>) -> Result<Option<Convergence>> {
+    pub fn converges(
+        &self,
+        source: &Source<'_>,
+        claims: &Claims<'_>,
+    ) -> Result<Option<Convergence>> {
         let Some(to) = &self.converges else {
             return match &self.target {
                 None => Ok(None),
                 Some(target) => {
-                    Err(source.error(&target.span(), "target: expected `converges = \"target\"` too"))
+                    Err(source
+                        .error(&target.span(), "target: expected `converges = \"target\"` too"))
                 }
             };
         };
         match (to.get_ref().as_str(), &self.target) {
             ("agreement", None) => Ok(Some(Convergence::Agreement)),
             ("target", Some(target)) => claims.targets(target).map(|t| Some(Convergence::To(t))),
-            ("target", None) => Err(source.error(&to.span(), "converges: expected a key `target` too")),
+            ("target", None) => {
+                Err(source.error(&to.span(), "converges: expected a key `target` too"))
+            }
             ("agreement", Some(target)) => {
                 Err(source.error(&target.span(), "target: expected none where agents agree"))
             }

@@ -45,16 +45,18 @@ impl Links {
         let weightless = |of: &dyn Fn(usize) -> Vec<usize>| -> Vec<Vec<(usize, Rational)>> {
             (0..count).map(|i| of(i).into_iter().map(|j| (j, Rational::one())).collect()).collect()
         };
-        let graph = |g: Undirected| {
-            weightless(&|i| (0..count).filter(|&j| g.linked(i, j)).collect())
-        };
+        let graph =
+            |g: Undirected| weightless(&|i| (0..count).filter(|&j| g.linked(i, j)).collect());
         let (topology, heard) = match name {
             "line" | "path" => (Topology::Line, graph(Undirected::Path(count))),
             "ring" => (Topology::Ring, graph(Undirected::Ring(count))),
             "complete" => (Topology::Other, graph(Undirected::Complete(count))),
-            "star" => (Topology::Other, weightless(&|i| {
-                if i == 0 { (1..count).collect() } else { vec![0] }
-            })),
+            "star" => (
+                Topology::Other,
+                weightless(&|i| {
+                    if i == 0 { (1..count).collect() } else { vec![0] }
+                }),
+            ),
             _ => {
                 let columns = grid(name, count)?;
                 let near = |i: usize| {
@@ -117,8 +119,12 @@ fn grid(name: &str, count: usize) -> Result<usize, String> {
         Some((rows.trim().parse::<usize>().ok()?, columns.trim().parse::<usize>().ok()?))
     });
     match size {
-        Some((rows, columns)) if rows.checked_mul(columns) == Some(count) && columns > 0 => Ok(columns),
-        Some(_) => Err(format!("`{name}`: expected rows times columns to be {count}, one an agent")),
+        Some((rows, columns)) if rows.checked_mul(columns) == Some(count) && columns > 0 => {
+            Ok(columns)
+        }
+        Some(_) => {
+            Err(format!("`{name}`: expected rows times columns to be {count}, one an agent"))
+        }
         None => Err(format!(
             "`{name}`: expected `line`, `ring`, `star`, `complete`, `grid RxC` or a list of links"
         )),
@@ -128,7 +134,10 @@ fn grid(name: &str, count: usize) -> Result<usize, String> {
 /// A link as listed: from, to, whether both ways, weight.
 fn link(item: &Value) -> Result<(usize, usize, bool, Rational), String> {
     let fail = || {
-        format!("`{}`: expected a link like `[0, 1]`, `\"0 -> 1\"` or `\"0 - 1: 1/2\"`", shown(item))
+        format!(
+            "`{}`: expected a link like `[0, 1]`, `\"0 -> 1\"` or `\"0 - 1: 1/2\"`",
+            shown(item)
+        )
     };
     match item {
         Value::Array(pair) => {
@@ -144,7 +153,8 @@ fn link(item: &Value) -> Result<(usize, usize, bool, Rational), String> {
         Value::String(text) => {
             let (ends, weight) = match text.split_once(':') {
                 Some((ends, weight)) => {
-                    let weight = exact::parse("weight", weight.trim()).map_err(|e| e.to_string())?;
+                    let weight =
+                        exact::parse("weight", weight.trim()).map_err(|e| e.to_string())?;
                     (ends, weight)
                 }
                 None => (text.as_str(), Rational::one()),

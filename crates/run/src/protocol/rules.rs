@@ -83,7 +83,9 @@ impl<'s> Rules<'s> {
         }
         for (name, table) in &doc.modes {
             let field = format!("modes.{}", name.get_ref());
-            if name.get_ref().is_empty() || !name.get_ref().chars().all(|c| c.is_ascii_alphanumeric()) {
+            if name.get_ref().is_empty()
+                || !name.get_ref().chars().all(|c| c.is_ascii_alphanumeric())
+            {
                 let message = format!("{field}: expected a name of letters and digits");
                 return Err(source.error(&name.span(), &message));
             }
@@ -190,8 +192,10 @@ impl<'s> Rules<'s> {
             _ => {
                 let names: Vec<String> =
                     self.variables.iter().map(|v| format!("{} = \"..\"", v.name)).collect();
-                let message =
-                    format!("{field}: expected an expression a state variable: {{ {} }}", names.join(", "));
+                let message = format!(
+                    "{field}: expected an expression a state variable: {{ {} }}",
+                    names.join(", ")
+                );
                 return Err(self.source.error(&place, &message));
             }
         };
@@ -214,7 +218,9 @@ impl<'s> Rules<'s> {
             let mut next = self.execute(rules, &layout, &ignored)?;
             next.extend(layout.past.iter().map(|p| p.next.clone()));
             let mode = Mode::read(name, &next, layout.state.len(), &layout.parameters);
-            modes.push(mode.map_err(|e| Error::input(format!("{}: {name}: {e}", self.source.name)))?);
+            modes.push(
+                mode.map_err(|e| Error::input(format!("{}: {name}: {e}", self.source.name)))?,
+            );
         }
         Ok(Built {
             state: layout.state,
@@ -241,8 +247,13 @@ impl<'s> Rules<'s> {
                     syntax(self.source, &field, &rule.place, &e)
                 };
                 let value = expression.value(&names).map_err(wrong)?;
-                Mode::read("step", std::slice::from_ref(&value), layout.state.len(), &layout.parameters)
-                    .map_err(|e| wrong(SyntaxError { at: 0, message: e.to_string() }))?;
+                Mode::read(
+                    "step",
+                    std::slice::from_ref(&value),
+                    layout.state.len(),
+                    &layout.parameters,
+                )
+                .map_err(|e| wrong(SyntaxError { at: 0, message: e.to_string() }))?;
                 next.push(match layout.acts.get(i) {
                     Some(&p) => {
                         let own = layout.symbol(i * self.variables.len() + v);
@@ -296,7 +307,8 @@ impl Layout {
         for place in speakers.iter().flat_map(|j| j * per_agent..(j + 1) * per_agent) {
             let mut before = place;
             for age in 1..=rules.delay {
-                let name = format!("{}ago{age}", layout.state.get(place).map_or("", String::as_str));
+                let name =
+                    format!("{}ago{age}", layout.state.get(place).map_or("", String::as_str));
                 layout.before.entry(place).or_default().push(layout.state.len());
                 layout.past.push(Past { source: place, next: layout.symbol(before) });
                 before = layout.state.len();
@@ -321,7 +333,8 @@ impl Layout {
                     layout.works.insert((i, j), p);
                 }
             }
-            let older = (1..=rules.delay).map(|age| layout.choice(format!("late{age}at{i}from{j}")));
+            let older =
+                (1..=rules.delay).map(|age| layout.choice(format!("late{age}at{i}from{j}")));
             let older = older.collect::<Vec<_>>();
             layout.late.insert((i, j), older);
         }
@@ -421,17 +434,19 @@ impl Meaning for Names<'_> {
     }
 
     fn member(&self, owner: &str, name: &str) -> std::result::Result<Polynomial, String> {
-        let step = match owner {
-            "prev" => -1,
-            "next" => 1,
-            "their" => {
-                return match self.their {
-                    Some((j, _)) => self.of_agent(j, name),
-                    None => Err("`their` is the neighbour within `sum(..)`: expected it there".to_owned()),
-                };
-            }
-            other => return Err(format!("`{other}.`: expected `prev`, `next` or `their`")),
-        };
+        let step =
+            match owner {
+                "prev" => -1,
+                "next" => 1,
+                "their" => {
+                    return match self.their {
+                        Some((j, _)) => self.of_agent(j, name),
+                        None => Err("`their` is the neighbour within `sum(..)`: expected it there"
+                            .to_owned()),
+                    };
+                }
+                other => return Err(format!("`{other}.`: expected `prev`, `next` or `their`")),
+            };
         match (self.rules.links.beside(self.i, step), self.rules.links.topology) {
             (Some(j), _) => self.of_agent(j, name),
             (None, Topology::Line) => Err(format!(
@@ -439,7 +454,9 @@ impl Meaning for Names<'_> {
                 self.i,
                 if step < 0 { "`first`" } else { "`last`" }
             )),
-            _ => Err(format!("`{owner}` is on a line or a ring: expected `topology = \"line\"` or `\"ring\"`")),
+            _ => Err(format!(
+                "`{owner}` is on a line or a ring: expected `topology = \"line\"` or `\"ring\"`"
+            )),
         }
     }
 
@@ -474,7 +491,12 @@ pub(super) fn text(value: &Value) -> Option<String> {
 }
 
 /// The error that a syntax error is, at its place in a text in quotes.
-pub(super) fn syntax(source: &Source<'_>, field: &str, at: &Range<usize>, e: &SyntaxError) -> Error {
+pub(super) fn syntax(
+    source: &Source<'_>,
+    field: &str,
+    at: &Range<usize>,
+    e: &SyntaxError,
+) -> Error {
     // Inside the quotation marks; escapes have no use in expressions.
     let start = (at.start + 1 + e.at).min(at.end);
     source.error(&(start..at.end), &format!("{field}: {}", e.message))

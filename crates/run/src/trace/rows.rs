@@ -6,7 +6,7 @@ use super::positions::Positions;
 use crate::fast::{Line, Rule, engine, jump, step};
 use crate::scenario::{Protocol, Scenario, Topology};
 use crate::simulate;
-use cordon_core::{Error, Rational, Result};
+use cordon_core::{Error, Rational, Result, progress};
 
 /// What the rows count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,11 +39,11 @@ impl Unit {
 /// The rows `from`, `from + every`, ... up to `to`, in the given unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Selection {
-    /// What is counted.
+    /// Whether rows are counted in protocol steps or in ticks.
     pub unit: Unit,
-    /// First row.
+    /// The first row, from 0.
     pub from: u64,
-    /// Last row.
+    /// The last row, at least the first.
     pub to: u64,
     /// Distance from row to row, at least 1.
     pub every: u64,
@@ -72,10 +72,10 @@ impl Selection {
     }
 }
 
-/// One shown state.
+/// The state of the swarm after a step or tick.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// Ticks so far.
+    /// Ticks made since the start.
     pub tick: u64,
     /// Protocol steps so far.
     pub step: u64,
@@ -117,6 +117,7 @@ pub fn select(scenario: &Scenario, selection: Selection) -> Result<Rows<'_>> {
         )));
     }
     let source = Source::of(scenario, selection)?;
+    progress::expect(selection.len());
     Ok(Rows { scenario, selection, next: Some(from), source })
 }
 
@@ -136,7 +137,9 @@ impl Iterator for Rows<'_> {
         self.next = at.checked_add(self.selection.every);
         let (tick, step) = self.selection.unit.tick_and_step(self.scenario, at);
         let timesteps = self.scenario.timesteps_at(tick);
-        Some(Row { tick, step, timesteps, positions: self.source.after(self.scenario, step) })
+        let positions = self.source.after(self.scenario, step);
+        progress::advance(1);
+        Some(Row { tick, step, timesteps, positions })
     }
 }
 

@@ -9,8 +9,9 @@ use tempfile::TempDir;
 
 use super::Isolation;
 use super::adapter::{Counterpart, Map};
-use crate::fmi::archive::{Fmu, FmuVariable};
+use crate::fmi::archive::Fmu;
 use crate::fmi::interface::FmiVersion;
+use crate::fmi::model_description::FmuVariable;
 use crate::grid::Grid;
 use crate::quotient::Quotient;
 use crate::unit::{
@@ -93,11 +94,11 @@ impl Foreign {
         let instance = fmu::Fmu {
             binary: root.join(fmu.binary()?),
             folder: root,
-            version: match fmu.version {
+            version: match fmu.version() {
                 FmiVersion::V2 => Version::V2,
                 FmiVersion::V3 => Version::V3,
             },
-            token: fmu.token.clone(),
+            token: fmu.token().to_owned(),
             name: name.clone(),
         };
         let session = Session::load(isolation, instance).map_err(failed)?;

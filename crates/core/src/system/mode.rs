@@ -99,6 +99,11 @@ impl Mode {
         Map { rows: self.rows.iter().map(row).collect() }
     }
 
+    /// The constant of a row and its coefficients by column, polynomials in the parameters.
+    pub fn row(&self, row: usize) -> Option<(&Polynomial, &BTreeMap<usize, Polynomial>)> {
+        self.rows.get(row).map(|r| (&r.constant, &r.entries))
+    }
+
     /// The parameters on which what the form `sum of coefficients[j] * x_j` becomes depends,
     /// ascending. Products that cancel do not count.
     pub fn parameters_in(&self, coefficients: &[Rational]) -> Vec<usize> {

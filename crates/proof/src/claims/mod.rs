@@ -3,6 +3,9 @@
 pub mod automaton;
 mod bounds;
 pub mod certificate;
+pub mod converge;
+mod doubles;
+pub mod readouts;
 mod refute;
 pub mod search;
 

@@ -58,7 +58,7 @@ pub struct Args {
     #[arg(long, value_name = "D", conflicts_with = "protocol")]
     delay: Option<usize>,
     /// File for the counterexample as a certificate
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with = "protocol")]
     out: Option<PathBuf>,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
@@ -78,8 +78,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             steps: args.steps,
             start: args.start.as_deref().map(positions).transpose()?,
         };
-        let file = args.out.as_deref();
-        return own_protocol::refute(&args.own, &system, &search, file, args.format, out);
+        return own_protocol::refute(&args.own, &system, &search, args.format, out);
     }
     let (spaces, foreign): (Vec<SearchSpace>, Vec<SearchSpace>) =
         args.spaces()?.into_iter().partition(|space| args.applies(space));

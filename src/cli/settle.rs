@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use num_traits::Signed;
 use serde_json::{Value, json};
 
+use super::own_protocol;
 use super::progress;
 use super::scenario_args::positions;
 use super::select::OutputFormat;
@@ -20,11 +21,24 @@ use cordon_proof::threshold::convergence::rounded_up_below_one;
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// Number of drones, 3 to 10000
-    #[arg(long, value_name = "N")]
-    drones: usize,
+    #[arg(
+        long,
+        value_name = "N",
+        required_unless_present = "protocol",
+        conflicts_with = "protocol"
+    )]
+    drones: Option<usize>,
     /// Weight of the neighbours in the update, read exactly
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
-    eps: String,
+    #[arg(
+        long,
+        value_name = "E",
+        allow_hyphen_values = true,
+        required_unless_present = "protocol",
+        conflicts_with = "protocol"
+    )]
+    eps: Option<String>,
+    #[command(flatten)]
+    own: own_protocol::ProtocolArgs,
     /// Distance from the targets, in the unit of the positions
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
     within: String,
@@ -39,35 +53,48 @@ pub struct Args {
     format: OutputFormat,
 }
 
+impl Args {
+    /// The number of drones, which is given where no protocol file is.
+    fn drones(&self) -> usize {
+        self.drones.unwrap_or_default()
+    }
+}
+
 /// Numbers of drones up to this take seconds.
 const QUICK: usize = 2_000;
 
 /// Finds the settling step.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    let eps = exact::parse("eps", &args.eps)?;
     let within = exact::parse("within", &args.within)?;
+    if let Some((_, system)) = args.own.system()? {
+        let start = args.start.as_deref().map(positions).transpose()?;
+        return own_protocol::settle(&system, start.as_deref(), &within, args.format, out);
+    }
+    let eps = exact::parse("eps", args.eps.as_deref().unwrap_or_default())?;
     let starts = match &args.start {
-        None => Starts::AllWithin(args.drones),
+        None => Starts::AllWithin(args.drones()),
         Some(list) => {
             let start = positions(list)?;
-            if start.len() != args.drones {
+            if start.len() != args.drones() {
                 return Err(Error::input(format!(
                     "start: {} positions: expected {}, one a drone",
                     start.len(),
-                    args.drones
+                    args.drones()
                 )));
             }
             Starts::One(start)
         }
     };
-    if args.drones > QUICK && DRONES.contains(&args.drones) && within.is_positive() {
-        progress::announce(&format!("{} drones: this may take some minutes", args.drones));
+    if args.drones() > QUICK && DRONES.contains(&args.drones()) && within.is_positive() {
+        progress::announce(&format!("{} drones: this may take some minutes", args.drones()));
     }
     let found = settling(&starts, &eps, &within)?;
     let (name, certificate) = match &found {
-        Settling::Settles { proved, .. } => ("contraction", contraction(args.drones, &eps, proved)),
+        Settling::Settles { proved, .. } => {
+            ("contraction", contraction(args.drones(), &eps, proved))
+        }
         Settling::NotFromEveryStart(w) => {
-            ("growth", Some(certificate::growth(args.drones, &eps, &w.weights)))
+            ("growth", Some(certificate::growth(args.drones(), &eps, &w.weights)))
         }
         Settling::Stays { .. } | Settling::NeverFromThisStart | Settling::Undecided => ("", None),
     };
@@ -76,7 +103,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     }
     let file = match (&args.out, &certificate) {
         (Some(folder), Some(c)) => {
-            let name = format!("{name}-{}", args.drones);
+            let name = format!("{name}-{}", args.drones());
             Some(certificate::write(folder, &name, c)?.display().to_string())
         }
         _ => None,
@@ -87,7 +114,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             writeln!(
                 out,
                 "settling: N = {}, eps = {}, within {} of the targets, from {which}",
-                args.drones,
+                args.drones(),
                 fraction(&eps),
                 fraction(&within)
             )?;
@@ -99,7 +126,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         OutputFormat::Json => {
             let page = json!({
                 "schema": "cordon-settle/1",
-                "drones": args.drones,
+                "drones": args.drones(),
                 "eps": fraction(&eps),
                 "within": fraction(&within),
                 "start": args.start.as_ref().map_or("every", |_| "given"),

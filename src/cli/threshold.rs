@@ -6,10 +6,13 @@ use std::path::PathBuf;
 use num_traits::One;
 use serde_json::{Value, json};
 
+use super::own_protocol;
 use super::select::OutputFormat;
 use cordon_core::exact::{decimal_string, fraction};
-use cordon_core::{Evidence, Outcome, Rational, Result};
+use cordon_core::system::System;
+use cordon_core::{Error, Evidence, Outcome, Rational, Result};
 use cordon_proof::certificate;
+use cordon_proof::claims::threshold as claims;
 use cordon_proof::threshold::convergence::{self, Bracket};
 use cordon_proof::threshold::safety::{self, Cone, Critical};
 use cordon_proof::threshold::{check_size, invariance};
@@ -18,14 +21,24 @@ use cordon_proof::threshold::{check_size, invariance};
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// The property whose critical weight is wanted
-    #[arg(long, value_enum)]
-    property: Property,
+    #[arg(long, value_enum, required_unless_present = "protocol")]
+    property: Option<Property>,
+    #[command(flatten)]
+    own: own_protocol::ProtocolArgs,
+    /// With --protocol: the parameter whose critical value is wanted [default: the only one with a range]
+    #[arg(long, value_name = "NAME", requires = "protocol", help_heading = "Own protocol")]
+    parameter: Option<String>,
     /// Number of drones, 3 to 1000
-    #[arg(long, value_name = "N")]
-    drones: usize,
-    /// Decimal places of the bracket, 1 to 1000
-    #[arg(long, value_name = "D", default_value_t = 10)]
-    digits: usize,
+    #[arg(
+        long,
+        value_name = "N",
+        required_unless_present = "protocol",
+        conflicts_with = "protocol"
+    )]
+    drones: Option<usize>,
+    /// Decimal places of the bracket, 1 to 1000 [default: 10, with --protocol 4]
+    #[arg(long, value_name = "D")]
+    digits: Option<usize>,
     /// Folder for the certificates of both sides
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -40,8 +53,10 @@ enum Property {
     Ordering,
     /// Theorem 7.3: no drone passes its target
     Bound,
-    /// Theorem 7.8: every drone converges to its target
+    /// Theorem 7.8: every drone converges to its target; with --protocol as the file claims
     Convergence,
+    /// The claims of a protocol file
+    Claims,
 }
 
 impl Property {
@@ -50,6 +65,7 @@ impl Property {
             Self::Ordering => "ordering",
             Self::Bound => "bound",
             Self::Convergence => "convergence",
+            Self::Claims => "claims",
         }
     }
 }
@@ -62,22 +78,71 @@ type Named = (String, Value);
 
 /// Finds the critical weight.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    check_size(args.drones, args.digits)?;
-    match args.property {
+    if let Some((_, system)) = args.own.system()? {
+        return own(args, &system, out);
+    }
+    check_size(args.drones(), args.digits())?;
+    match args.property() {
         Property::Ordering => keep(args, Cone::PositiveGaps, out),
         Property::Bound => keep(args, Cone::NonnegativeErrors, out),
         Property::Convergence => converge(args, out),
+        Property::Claims => Err(Error::input("property: `claims`: expected --protocol with it")),
     }
 }
 
+impl Args {
+    /// The property, which is given where no protocol file is.
+    fn property(&self) -> Property {
+        self.property.unwrap_or(Property::Ordering)
+    }
+
+    fn drones(&self) -> usize {
+        self.drones.unwrap_or_default()
+    }
+
+    fn digits(&self) -> usize {
+        self.digits.unwrap_or(10)
+    }
+}
+
+/// Most decimal places of a bracket of an own protocol: every one takes some proofs.
+const MOST_OWN_DIGITS: usize = 50;
+
+fn own(args: &Args, system: &System, out: &mut dyn Write) -> Result<Outcome> {
+    let property = match args.property {
+        Some(Property::Convergence) => claims::Property::Convergence,
+        Some(Property::Claims) => claims::Property::Claims,
+        None if system.claims.is_empty() => claims::Property::Convergence,
+        None => claims::Property::Claims,
+        Some(other) => {
+            return Err(Error::input(format!(
+                "property: `{}`: expected `claims` or `convergence` with --protocol",
+                other.name()
+            )));
+        }
+    };
+    if args.out.is_some() {
+        return Err(Error::input(
+            "out: expected none with --protocol: `cordon prove --set` writes certificates",
+        ));
+    }
+    let digits = args.digits.unwrap_or(4);
+    if digits > MOST_OWN_DIGITS {
+        return Err(Error::input(format!(
+            "digits: `{digits}`: expected at most {MOST_OWN_DIGITS} with --protocol"
+        )));
+    }
+    own_protocol::threshold(system, args.parameter.as_deref(), property, digits, args.format, out)
+}
+
 fn keep(args: &Args, cone: Cone, out: &mut dyn Write) -> Result<Outcome> {
-    let Some(found) = safety::critical(cone, args.drones, args.digits) else {
+    let Some(found) = safety::critical(cone, args.drones(), args.digits()) else {
         return not_found(out);
     };
     let mut certificates = Vec::new();
     for (side, eps) in [("at-0", &num_traits::Zero::zero()), ("below", &found.critical)] {
         certificates.extend(
-            invariance::certificate(cone, args.drones, eps).map(|c| (args.file_name(side), c)),
+            invariance::certificate(cone, args.drones(), eps).map(|c| (args.file_name(side), c)),
         );
     }
     certificates.push((args.file_name("above"), certificate::refutation(&found.above)));
@@ -85,13 +150,13 @@ fn keep(args: &Args, cone: Cone, out: &mut dyn Write) -> Result<Outcome> {
     match args.format {
         OutputFormat::Text => {
             keep_text(args, &found, out)?;
-            writeln!(out, "{}", certified(certificates.len(), args.drones))?;
+            writeln!(out, "{}", certified(certificates.len(), args.drones()))?;
         }
         OutputFormat::Json => {
             let page = json!({
                 "schema": "cordon-threshold/1",
-                "property": args.property.name(),
-                "drones": args.drones,
+                "property": args.property().name(),
+                "drones": args.drones(),
                 "critical": fraction(&found.critical),
                 "exact": true,
                 "holds_at_critical": true,
@@ -124,7 +189,7 @@ fn keep_text(args: &Args, found: &Critical, out: &mut dyn Write) -> Result<()> {
         Cone::NonnegativeErrors => ("not beyond its targets", "error"),
     };
     let [constant, slope] = &found.witness.coefficients;
-    let (name, n) = (args.property.name(), args.drones);
+    let (name, n) = (args.property().name(), args.drones());
     writeln!(out, "{name} ({}), N = {n}: critical weight {critical} exactly", theorem.number())?;
     writeln!(
         out,
@@ -163,16 +228,16 @@ fn affine_text(constant: &str, slope: &str) -> String {
 }
 
 fn converge(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    let Some(found) = convergence::bracket(args.drones, args.digits) else {
+    let Some(found) = convergence::bracket(args.drones(), args.digits()) else {
         return not_found(out);
     };
     let w = &found.vector.weights;
     let certificates = [
         (
             args.file_name("below"),
-            certificate::contraction(args.drones, &found.below, &found.rate, w),
+            certificate::contraction(args.drones(), &found.below, &found.rate, w),
         ),
-        (args.file_name("above"), certificate::growth(args.drones, &found.above, w)),
+        (args.file_name("above"), certificate::growth(args.drones(), &found.above, w)),
     ];
     let files = judged_and_written(args, &certificates)?;
     match args.format {
@@ -183,9 +248,9 @@ fn converge(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         OutputFormat::Json => {
             let page = json!({
                 "schema": "cordon-threshold/1",
-                "property": args.property.name(),
-                "drones": args.drones,
-                "digits": args.digits,
+                "property": args.property().name(),
+                "drones": args.drones(),
+                "digits": args.digits(),
                 "critical": found.exact.as_ref().map(fraction),
                 "exact": found.exact.is_some(),
                 "holds_at_critical": false,
@@ -201,8 +266,8 @@ fn converge(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
 }
 
 fn converge_text(args: &Args, found: &Bracket, out: &mut dyn Write) -> Result<()> {
-    let n = args.drones;
-    let below = decimal_string(&found.below, args.digits);
+    let n = args.drones();
+    let below = decimal_string(&found.below, args.digits());
     match &found.exact {
         Some(exact) => writeln!(
             out,
@@ -212,12 +277,12 @@ fn converge_text(args: &Args, found: &Bracket, out: &mut dyn Write) -> Result<()
         None => writeln!(
             out,
             "convergence (7.8), N = {n}: critical weight {below}... ({} places, not rounded)",
-            args.digits
+            args.digits()
         )?,
     }
     let above = match &found.exact {
         Some(exact) => fraction(exact),
-        None => decimal_string(&found.above, args.digits),
+        None => decimal_string(&found.above, args.digits()),
     };
     writeln!(
         out,
@@ -253,7 +318,7 @@ fn short(unit: &Rational) -> String {
 
 impl Args {
     fn file_name(&self, side: &str) -> String {
-        format!("{}-{}-{side}", self.property.name(), self.drones)
+        format!("{}-{}-{side}", self.property().name(), self.drones())
     }
 }
 

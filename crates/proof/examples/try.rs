@@ -26,8 +26,23 @@ fn main() {
             s.modes.len(),
             is_vacuous(&s)
         );
-        if s.converges.is_some() { let t=std::time::Instant::now(); match converge::contraction(&s){Ok(Some(c))=>println!("  converges {} {:?}",c.rate,t.elapsed()),Ok(None)=>println!("  no contraction {:?}",t.elapsed()),Err(e)=>println!("{e}")}; match converge::growth(&s){Ok(Some((x,_)))=>println!("  grows from {:?}",x.iter().map(|x|x.to_string()).collect::<Vec<_>>()),Ok(None)=>println!("  no growth"),Err(e)=>println!("{e}")} }
-    match prove(&s) {
+        if s.converges.is_some() {
+            let t = std::time::Instant::now();
+            match converge::contraction(&s) {
+                Ok(Some(c)) => println!("  converges {} {:?}", c.rate, t.elapsed()),
+                Ok(None) => println!("  no contraction {:?}", t.elapsed()),
+                Err(e) => println!("{e}"),
+            };
+            match converge::grows(&s) {
+                Ok(Some(g)) => println!(
+                    "  grows from {:?}",
+                    g.start.iter().map(|x| x.to_string()).collect::<Vec<_>>()
+                ),
+                Ok(None) => println!("  no growth"),
+                Err(e) => println!("{e}"),
+            }
+        }
+        match prove(&s) {
             Some(p) => {
                 println!("  proved {} rows {:?}", p.proof.rows.len(), t.elapsed());
             }

@@ -38,7 +38,7 @@ pub fn bounded(system: &System) -> Option<System> {
                 if k % 3 == 0 {
                     let negated = Affine::constant(Rational::zero()) - &form;
                     for side in [&form, &negated] {
-                        reached = reached.max(greatest(side, &starts, system.state.len())?);
+                        reached = reached.max(greatest(side, &starts, system.state.len())?.abs());
                     }
                 }
                 form = map.pulled_back(&form)?;
@@ -59,7 +59,7 @@ pub fn bounded(system: &System) -> Option<System> {
 
 /// The greatest value of a form under the constraints, strict ones with their bounds; `None` where there
 /// is none.
-fn greatest(form: &Affine, constraints: &[Constraint], variables: usize) -> Option<Rational> {
+pub fn greatest(form: &Affine, constraints: &[Constraint], variables: usize) -> Option<Rational> {
     // Columns: positive and negative part of every variable, the slacks.
     let signed = |coefficients: &[Rational]| -> Vec<Term> {
         let nonzero = coefficients.iter().enumerate().filter(|(_, a)| !a.is_zero());
@@ -81,7 +81,7 @@ fn greatest(form: &Affine, constraints: &[Constraint], variables: usize) -> Opti
     match maximise_sparse(2 * variables + constraints.len(), &signed(coefficients), &equations) {
         Solution::Optimal(x) => {
             let at: Vec<Rational> = (0..variables).map(|j| &x[j] - &x[variables + j]).collect();
-            Some(form.at(&at)?.abs())
+            form.at(&at)
         }
         _ => None,
     }

@@ -9,7 +9,9 @@ use num_traits::{One, ToPrimitive, Zero};
 use serde_json::Value;
 
 use super::certificate::linear_system;
-use super::doubles::{Matrix, identity, is_definite, largest, moved, plus, product, spectral_radius};
+use super::doubles::{
+    Matrix, identity, is_definite, largest, moved, plus, product, spectral_radius,
+};
 use super::readouts::{self, QuotientRows, Readouts};
 use crate::certificate;
 use crate::certificate::linear::Quadratic;
@@ -143,8 +145,10 @@ fn rational_between(low: f64, high: f64) -> Option<Rational> {
 /// A form that falls by the rate under every map, in doubles.
 fn common_form(maps: &[Matrix], rate: f64) -> Option<Matrix> {
     let n = maps.first()?.len();
-    let scaled: Vec<Matrix> =
-        maps.iter().map(|a| a.iter().map(|r| r.iter().map(|x| x / rate).collect()).collect()).collect();
+    let scaled: Vec<Matrix> = maps
+        .iter()
+        .map(|a| a.iter().map(|r| r.iter().map(|x| x / rate).collect()).collect())
+        .collect();
     if let [only] = scaled.as_slice() {
         // The sum over all powers, by doubling.
         let (mut form, mut power) = (identity(n), only.clone());
@@ -202,7 +206,9 @@ fn checked(
     let scale = largest(form);
     for bits in [12, 24, 40] {
         let unit = scale / 2f64.powi(bits);
-        let Some(unit) = Rational::from_float(2f64.powi(unit.log2().floor() as i32)) else { continue };
+        let Some(unit) = Rational::from_float(2f64.powi(unit.log2().floor() as i32)) else {
+            continue;
+        };
         let rounded = |x: &f64| {
             let steps = (x / to_f64(&unit)).round();
             Some(&unit * Rational::from_integer(steps.to_i64()?.into()))
@@ -234,20 +240,48 @@ fn checked(
     Ok(None)
 }
 
+/// A start from which some system in the ranges does not converge, with its constants and certificate:
+/// at the ends of the constants' ranges, where nothing else varies.
+///
+/// # Errors
+/// The checker rejects what was found.
+pub fn grows(system: &System) -> Result<Option<Growth>> {
+    for values in super::constants(system, 1).unwrap_or_default() {
+        let mut fixed = system.clone();
+        fixed.parameters = super::at(system, &values);
+        if let Some((start, certificate)) = growth(&fixed)? {
+            return Ok(Some(Growth { values, start, certificate }));
+        }
+    }
+    Ok(None)
+}
+
+/// A start from which a system does not converge.
+#[derive(Clone, Debug)]
+pub struct Growth {
+    /// The values of the parameters.
+    pub values: Vec<Rational>,
+    /// The whole state at the start.
+    pub start: Vec<Rational>,
+    /// The certificate, accepted by the checker.
+    pub certificate: Value,
+}
+
 /// A certificate that a system without choice does not converge from some start: a form that never
 /// falls. `None` where none is found.
 ///
 /// # Errors
 /// The checker rejects what was found.
-pub fn growth(system: &System) -> Result<Option<(Vec<Rational>, Value)>> {
+fn growth(system: &System) -> Result<Option<(Vec<Rational>, Value)>> {
     let Some(quotient) = Quotient::of(system) else { return Ok(None) };
-    let [map] = quotient.doubles().try_into().unwrap_or([const { Vec::new() }; 1]);
+    let maps = quotient.doubles();
+    let [map] = maps.as_slice() else { return Ok(None) };
     let n = map.len();
-    if n == 0 || n > 30 || !system.starts.is_empty() && system.state.is_empty() {
+    if n > LARGEST_STEIN {
         return Ok(None);
     }
     // A'PA - P = 1, as linear equations in the entries of P.
-    let Some(form) = stein(&map) else { return Ok(None) };
+    let Some(form) = stein(map) else { return Ok(None) };
     // A direction in which it is positive: the unstable one.
     let Some(direction) = positive_direction(&form) else { return Ok(None) };
     let mut state = vec![Rational::zero(); system.state.len()];
@@ -287,6 +321,9 @@ pub fn growth(system: &System) -> Result<Option<(Vec<Rational>, Value)>> {
         Err(e) => Err(e),
     }
 }
+
+/// Most readouts of a system whose growth is searched: the equations have n(n+1)/2 unknowns.
+const LARGEST_STEIN: usize = 24;
 
 /// The solution P of A'PA - P = 1, by elimination over the entries of the lower triangle.
 fn stein(a: &Matrix) -> Option<Matrix> {

@@ -34,7 +34,8 @@ pub fn moved(a: &Matrix, p: &Matrix) -> Matrix {
 
 /// `a + factor * b`.
 pub fn plus(a: &Matrix, factor: f64, b: &Matrix) -> Matrix {
-    let row = |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).map(|(a, b)| a + factor * b).collect();
+    let row =
+        |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).map(|(a, b)| a + factor * b).collect();
     a.iter().zip(b).map(row).collect()
 }
 

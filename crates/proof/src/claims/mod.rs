@@ -8,6 +8,8 @@ mod doubles;
 pub mod readouts;
 mod refute;
 pub mod search;
+pub mod settle;
+pub mod threshold;
 
 pub use refute::{MOST_COMBINATIONS, Run, constants, follow, refute};
 

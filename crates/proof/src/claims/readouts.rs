@@ -34,11 +34,9 @@ impl Readouts {
         let per_agent = system.variables.len();
         let now = system.state.len() - system.past.len();
         let all = match system.converges.as_ref()? {
-            Convergence::To(targets) => targets
-                .iter()
-                .enumerate()
-                .map(|(j, t)| (j, Reference::Target(t.clone())))
-                .collect(),
+            Convergence::To(targets) => {
+                targets.iter().enumerate().map(|(j, t)| (j, Reference::Target(t.clone()))).collect()
+            }
             Convergence::Agreement => (per_agent..system.state.len())
                 .map(|j| {
                     let shown = if j < now { j } else { system.past.get(j - now).copied()? };
@@ -85,7 +83,8 @@ impl Readouts {
         // differences, and the targets for errors.
         let place: BTreeMap<usize, usize> =
             self.all.iter().enumerate().map(|(y, (j, _))| (*j, y)).collect();
-        let reference: BTreeMap<usize, &Reference> = self.all.iter().map(|(j, r)| (*j, r)).collect();
+        let reference: BTreeMap<usize, &Reference> =
+            self.all.iter().map(|(j, r)| (*j, r)).collect();
         let row = |(j, taken): &(usize, Reference)| {
             // The difference of the two rows, by column; `None` for the constant.
             let mut sums: BTreeMap<Option<usize>, Polynomial> = BTreeMap::new();
@@ -155,7 +154,8 @@ pub fn at(rows: &QuotientRows, values: &[Rational]) -> Vec<Vec<Rational>> {
 /// The parameters that occur, ascending.
 pub fn parameters_in(rows: &QuotientRows) -> Vec<usize> {
     let monomials = rows.iter().flat_map(|r| r.values()).flat_map(Polynomial::terms);
-    let powers = |(m, _): (&Monomial, &Rational)| m.powers().map(|(v, _)| v as usize).collect::<Vec<_>>();
+    let powers =
+        |(m, _): (&Monomial, &Rational)| m.powers().map(|(v, _)| v as usize).collect::<Vec<_>>();
     let mut all: Vec<usize> = monomials.flat_map(powers).collect();
     all.sort_unstable();
     all.dedup();

@@ -20,7 +20,7 @@ use cordon_core::linear::perron::Perron;
 use cordon_core::{Error, Rational, Result};
 use cordon_run::fast::{Line, engine, within};
 use execute::settling_step;
-use power::{Rounding, least_power_at_most};
+pub(crate) use power::{Rounding, least_power_at_most};
 use stays::Stays;
 
 /// Which runs are meant.

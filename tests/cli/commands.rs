@@ -328,6 +328,59 @@ fn bad_input_is_named() {
 
 /// What does not apply is a result where all were asked for, and comes before any work where one
 /// was named.
+/// What the checker cannot read for its length is no fault of the search; and stdout has the result
+/// or nothing.
+#[test]
+fn numbers_beyond_the_checkers_limits_are_named() {
+    let long = |digits: usize| format!("1.{}1", "0".repeat(digits));
+    for format in ["text", "json"] {
+        let own = ["--protocol", "scenarios/own/hasty-coverage.toml"];
+        let eps = long(2_200);
+        let calls: [&[&str]; 2] = [
+            &["refute", "7.2", "--drones", "4", "--eps", &eps, "--format", format],
+            &["settle", "--drones", "5", "--within", "1", "--eps", &eps, "--format", format],
+        ];
+        for call in calls {
+            let (code, out, err) = run(call);
+            assert_eq!((code, out.as_str()), (2, ""), "{err}");
+            assert!(err.contains("beyond the limits of the independent checker"), "{err}");
+            assert!(err.contains("at most 2100 characters") && !err.contains("fault"), "{err}");
+        }
+        let eps = long(20);
+        let (code, out, _) =
+            run(&["refute", "7.2", "--drones", "4", "--eps", &eps, "--format", format]);
+        assert!(code == 1 && !out.is_empty());
+        let (code, ..) = run(&[&["refute"][..], &own, &["--eps", &long(2_200)]].concat());
+        assert_eq!(code, 1, "a run needs no certificate");
+    }
+    let (code, out, _) = run(&["prove", "7.2", "--eps", &format!("0..0.{}1", "0".repeat(2_200))]);
+    assert_eq!(code, 3);
+    assert!(out.contains("beyond the limits of the independent checker"), "{out}");
+}
+
+#[test]
+fn a_long_refutation_is_shown_by_its_ends() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("slow.toml");
+    let text =
+        "drones = 1\nstart = [\"x0 = 0\"]\nclaim = [\"x0 < 300\"]\n[update]\nx0 = \"x0 + 1\"\n";
+    std::fs::write(&file, text).unwrap();
+    let file = file.display().to_string();
+    let start = ["refute", "--protocol", &file, "--steps", "400", "--start", "0"];
+    let (code, out, err) = run(&start);
+    assert_eq!(code, 1, "{err}");
+    assert!(out.contains("fails at step 300") && out.contains("\n   ...\n"), "{out}");
+    assert!(out.lines().count() < 50, "{out}");
+}
+
+#[test]
+fn an_inconclusive_proof_names_the_flag_that_is_in_the_way() {
+    let (code, out, _) = run(&["prove", "projection", "--eps", "0..1/2"]);
+    assert_eq!(code, 3);
+    assert!(out.contains("no strategy for this claim with --eps: without there is one"), "{out}");
+    assert_eq!(run(&["prove", "projection"]).0, 0);
+}
+
 #[test]
 fn not_applicable_is_a_result() {
     let (code, out, err) =

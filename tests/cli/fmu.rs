@@ -255,6 +255,19 @@ fn a_multi_model_that_was_written_is_read_as_the_same_scenario() {
         let (code, _, err) = run(&["cosim", &model, "--out", &b]);
         assert_eq!(code, 0, "{err}");
         assert_eq!(fs::read(&a).unwrap(), fs::read(&b).unwrap(), "{scenario}");
+        // It is flown for a page as well, and neither it nor its FMUs are written over.
+        let page = path("page.html");
+        let (code, _, err) = run(&["replay", &model, "--out", &page]);
+        assert_eq!(code, 0, "{err}");
+        let before = fs::read(&model).unwrap();
+        let in_place: [&[&str]; 2] = [
+            &["export", "into-cps", &model, "--out", &folder],
+            &["replay", &model, "--out", &path("system/cordon_plant.fmu")],
+        ];
+        for call in in_place {
+            fails(call, 2, &["out: `", "expected a file that is no input of the command"]);
+        }
+        assert_eq!(fs::read(&model).unwrap(), before);
         // Read and written again it is the same file.
         let again = path("again");
         assert_eq!(run(&["export", "into-cps", &model, "--out", &again]).0, 0);

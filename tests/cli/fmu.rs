@@ -415,5 +415,5 @@ fn an_fmu_that_cannot_take_a_units_place_is_named_with_the_reason() {
     fails(&["cosim", &scenario], 2, &["s.toml:5:8: unit: `rotor` is unknown"]);
     let beyond = "start = [0, 1, 3]\nweight = 0.5\n[[unit]]\ndrone = 7\nunit = \"plant\"\nfmu = \"plant.fmu\"\n";
     fs::write(&scenario, beyond).unwrap();
-    fails(&["cosim", &scenario], 2, &["unit: drone 7: expected one of the 3 drones"]);
+    fails(&["cosim", &scenario], 2, &["s.toml:3:1: unit 1: drone `7`: expected 0 to 2"]);
 }

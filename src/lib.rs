@@ -52,7 +52,7 @@ use cordon_cosim::cosimulation::Cosimulation;
 use cordon_proof::prove::{CLAIMS, Scope};
 use cordon_proof::refute;
 use cordon_run::fast::{Engine, Rule, engine};
-use cordon_run::trace::{self as rows, Selection, Unit};
+use cordon_run::trace::{self as rows, Counted, Selection};
 
 /// The scenario that a TOML text describes.
 ///
@@ -84,7 +84,7 @@ pub fn scenario_and_flight(toml: &str) -> Result<(Scenario, Flight)> {
 /// # Errors
 /// The run is too long to step through.
 pub fn trace(scenario: &Scenario, last: u64) -> Result<Vec<Vec<Rational>>> {
-    let selection = Selection { unit: Unit::Steps, from: 0, to: last, every: 1 };
+    let selection = Selection { unit: Counted::Steps, from: 0, to: last, every: 1 };
     Ok(rows::select(scenario, selection)?.map(|row| row.positions.lowest()).collect())
 }
 

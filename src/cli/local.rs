@@ -20,7 +20,7 @@ use cordon_run::projection::{self, Pair, Setup};
 pub struct Args {
     #[command(flatten)]
     scenario: ScenarioArgs,
-    /// Ticks to run [default: up to the scenario's last protocol step]
+    /// Ticks to run, up to 100000 [default: up to the scenario's last protocol step]
     #[arg(long, value_name = "K")]
     ticks: Option<u64>,
     /// Ticks from exchange to exchange of positions; the theorem is about 1
@@ -32,7 +32,7 @@ pub struct Args {
     /// Form of the output
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     format: OutputFormat,
-    /// Decimal places, rounded half to even [default: 4]
+    /// Decimal places, rounded half to even, up to 10000 [default: 4]
     #[arg(long, value_name = "D")]
     digits: Option<usize>,
 }

@@ -15,6 +15,9 @@ use cordon_proof::refute;
 
 /// Arguments of `cordon prove`.
 #[derive(clap::Args, Debug)]
+#[command(
+    override_usage = "cordon prove [OPTIONS] [CLAIMS]\n       cordon prove [OPTIONS] --protocol <FILE>"
+)]
 pub struct Args {
     /// What to prove: `all`, or names separated by commas: theorems (7.2, 7.4ii, ...), their
     /// extensions (7.2-activation, ...), 7.2-exact, 7.3-exact
@@ -28,7 +31,7 @@ pub struct Args {
     /// Weight or range of weights in the place of each theorem's own range
     #[arg(long, value_name = "E|LO..HI", allow_hyphen_values = true, conflicts_with = "protocol")]
     pub eps: Option<String>,
-    /// Number of drones: one N >= 3, or every N
+    /// Number of drones: one N from 3 to 1000000, or every N
     #[arg(long, value_name = "N|any", default_value = "any", conflicts_with = "protocol")]
     pub drones: String,
     /// Folder to write the certificates to

@@ -23,6 +23,9 @@ use cordon_proof::refute::{
 
 /// Arguments of `cordon refute`.
 #[derive(clap::Args, Debug)]
+#[command(
+    override_usage = "cordon refute [OPTIONS] <THEOREM>\n       cordon refute [OPTIONS] --protocol <FILE>"
+)]
 pub struct Args {
     /// Which theorems: numbers like 7.2 or 7.4ii, separated by commas, or `all`
     #[arg(
@@ -45,7 +48,7 @@ pub struct Args {
     /// Weight or range of weights, whatever the theorem says of them [default: the theorem's]
     #[arg(long, value_name = "E|LO..HI", allow_hyphen_values = true, conflicts_with = "protocol")]
     eps: Option<String>,
-    /// Of a range of weights, the fractions with denominators up to this are searched
+    /// Of a range of weights, the fractions with denominators up to this are searched, 1 to 100
     #[arg(long, value_name = "Q", default_value_t = 8)]
     denominators: u32,
     /// Last step, 0 to 1000

@@ -20,7 +20,8 @@ fn refused(args: &str, says: &str) {
     assert!(err.starts_with("error: "), "{args}: {err}");
 }
 
-const SMALL: &str = "7.2,7.3,7.6ii --drones 3..5 --max-denominator 4 --grid 6 --steps 5";
+const SMALL: &str =
+    "7.2,7.3,7.6ii --form both --drones 3..5 --max-denominator 4 --grid 6 --steps 5";
 
 fn text(path: &Path) -> String {
     fs::read_to_string(path).unwrap()

@@ -20,7 +20,7 @@ use xtask::verify::matrix::{Cell, collect};
 use xtask::verify::record::Records;
 use xtask::verify::show::json;
 use xtask::verify::sources;
-use xtask::verify::{Context, NAMES, Status, Tier, Verdict, tiers};
+use xtask::verify::{Context, NAMES, Status, Tier, TierVerdict, tiers};
 
 // ---- a repository with tools of its own
 
@@ -342,7 +342,7 @@ fn the_solver_at_hand_proves_every_theorem_that_has_a_step() {
 // ---- formats
 
 /// A tier that says what it is told to.
-struct Told(&'static str, fn(Theorem) -> Status, Vec<Verdict>);
+struct Told(&'static str, fn(Theorem) -> Status, Vec<TierVerdict>);
 
 impl Tier for Told {
     fn name(&self) -> &'static str {
@@ -365,21 +365,21 @@ impl Tier for Told {
         (self.1)(theorem)
     }
 
-    fn problems(&self) -> Vec<Verdict> {
+    fn problems(&self) -> Vec<TierVerdict> {
         self.2.clone()
     }
 }
 
-fn ran(verdict: Verdict) -> Status {
+fn ran(verdict: TierVerdict) -> Status {
     Status::Run { verdict, scope: "a <scope> & \"more\"".into(), seconds: 0.5 }
 }
 
 fn mixed(theorem: Theorem) -> Status {
     match theorem {
-        Theorem::Ordering => ran(Verdict::Holds),
-        Theorem::UpperBound => ran(Verdict::Refuted("x < y".into())),
-        Theorem::SumBounded => ran(Verdict::Rejected("\u{1}bad".into())),
-        Theorem::SumMaximal => ran(Verdict::Inconclusive("unknown".into())),
+        Theorem::Ordering => ran(TierVerdict::Holds),
+        Theorem::UpperBound => ran(TierVerdict::Refuted("x < y".into())),
+        Theorem::SumBounded => ran(TierVerdict::Rejected("\u{1}bad".into())),
+        Theorem::SumMaximal => ran(TierVerdict::Inconclusive("unknown".into())),
         Theorem::Limit => Status::NotClaimed("a limit".into()),
         _ => Status::NotRun("no time".into()),
     }
@@ -396,15 +396,15 @@ fn matrix_of(told: Vec<Told>) -> xtask::verify::matrix::Matrix {
 fn the_worst_verdict_decides() {
     let one =
         |e: fn(Theorem) -> Status, problems| matrix_of(vec![Told("t", e, problems)]).outcome();
-    assert_eq!(one(|_| ran(Verdict::Holds), vec![]), Outcome::Holds);
-    assert_eq!(one(|_| ran(Verdict::Inconclusive("?".into())), vec![]), Outcome::Holds);
-    assert_eq!(one(|_| ran(Verdict::Refuted("!".into())), vec![]), Outcome::Refuted);
-    assert_eq!(one(|_| ran(Verdict::Rejected("!".into())), vec![]), Outcome::Rejected);
+    assert_eq!(one(|_| ran(TierVerdict::Holds), vec![]), Outcome::Holds);
+    assert_eq!(one(|_| ran(TierVerdict::Inconclusive("?".into())), vec![]), Outcome::Holds);
+    assert_eq!(one(|_| ran(TierVerdict::Refuted("!".into())), vec![]), Outcome::Refuted);
+    assert_eq!(one(|_| ran(TierVerdict::Rejected("!".into())), vec![]), Outcome::Rejected);
     assert_eq!(one(|_| Status::NotRun("".into()), vec![]), Outcome::Inconclusive);
     assert_eq!(one(|_| Status::NotClaimed("".into()), vec![]), Outcome::Inconclusive);
-    let rejected = || vec![Verdict::Rejected("!".into())];
-    assert_eq!(one(|_| ran(Verdict::Holds), rejected()), Outcome::Rejected);
-    assert_eq!(one(|_| ran(Verdict::Refuted("!".into())), rejected()), Outcome::Rejected);
+    let rejected = || vec![TierVerdict::Rejected("!".into())];
+    assert_eq!(one(|_| ran(TierVerdict::Holds), rejected()), Outcome::Rejected);
+    assert_eq!(one(|_| ran(TierVerdict::Refuted("!".into())), rejected()), Outcome::Rejected);
 }
 
 #[test]

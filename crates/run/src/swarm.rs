@@ -10,7 +10,7 @@ use num_bigint::BigInt;
 use num_traits::Signed;
 use rayon::prelude::*;
 
-use crate::fast::line::Weights;
+use crate::fast::line::LineWeights;
 use cordon_core::{Error, Rational, Result, exact, progress};
 
 /// The unit roundoff of doubles.
@@ -72,7 +72,7 @@ impl Swarm {
 
     fn assemble(eps: &Rational, positions: Vec<f64>, largest: f64, error: f64) -> Result<Self> {
         refuse_count(positions.len())?;
-        let Weights { side, centre, den } = Weights::of(eps)?;
+        let LineWeights { side, centre, den } = LineWeights::of(eps)?;
         let ratio = |w: BigInt| Rational::new(w, den.clone());
         let total = exact::to_f64(&ratio(side.abs() * 2 + centre.abs()));
         let (side, centre) = (exact::to_f64(&ratio(side)), exact::to_f64(&ratio(centre)));

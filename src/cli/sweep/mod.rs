@@ -39,6 +39,8 @@ Examples:
   cordon sweep 7.8 --shard 1/4 --out part-1.jsonl one part of four, which goes on after a crash
   cordon sweep merge part-*.jsonl --audit 5       the parts together, five items computed anew
 
+Limits: 3 to 64 drones, 100,000 steps, 1,000,000 weights, 1,000,000 work items, 1,024 threads.
+
 Exit codes: 0 every claim holds, 1 some claim is refuted (a counterexample is printed, with the \
 command that replays it), 2 bad usage or input, 3 some claim is vacuous or undecided, 74 I/O error";
 

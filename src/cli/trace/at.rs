@@ -27,7 +27,7 @@ pub struct AtArgs {
     /// How chosen steps are computed
     #[arg(long, value_enum, requires = "at", default_value_t, help_heading = "Chosen steps")]
     pub engine: Method,
-    /// Compare with the plain spec modulo random primes, as many as given
+    /// Compare with the plain spec modulo random primes, as many as given, 1 to 64 [default: 3]
     #[arg(
         long,
         value_name = "PRIMES",

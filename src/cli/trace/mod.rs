@@ -14,7 +14,7 @@ use cordon_core::theorems;
 use cordon_core::{Error, Outcome, Result};
 use cordon_run::fast::verify::Verification;
 use cordon_run::scenario::Scenario;
-use cordon_run::trace::{Checked, Row, Selection, Unit, applicable, check, select};
+use cordon_run::trace::{Checked, Counted, Row, Selection, applicable, check, select};
 use show::Numbers;
 
 /// Arguments of `cordon trace`.
@@ -102,8 +102,8 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         return chosen_steps(args, &scenario, out);
     }
     let (unit, last) = match args.ticks {
-        Some(ticks) => (Unit::Ticks, ticks),
-        None => (Unit::Steps, args.steps.unwrap_or(scenario.steps)),
+        Some(ticks) => (Counted::Ticks, ticks),
+        None => (Counted::Steps, args.steps.unwrap_or(scenario.steps)),
     };
     let selection =
         Selection { unit, from: args.from, to: args.to.unwrap_or(last), every: args.every };

@@ -21,7 +21,7 @@ use time::OffsetDateTime;
 
 pub use self::limits::Limits;
 use self::report::{Checked, Report};
-use self::results::Finding;
+use self::results::HarnessResult;
 use self::tool::Kani;
 use crate::verify::sources;
 use cordon_core::{Error, Result, files};
@@ -121,7 +121,7 @@ fn compare(
     let harnesses = expected.iter().map(|&harness| {
         let finding = match reported.remove(harness.name) {
             Some(text) => results::read(&text, harness.expected),
-            None => Finding::missing(),
+            None => HarnessResult::missing(),
         };
         Checked { harness, finding }
     });

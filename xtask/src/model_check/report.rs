@@ -6,7 +6,7 @@ use cordon_kani::{Expected, Harness};
 use serde::Serialize;
 
 use super::Limits;
-use super::results::{Finding, Verdict};
+use super::results::{Ending, HarnessResult};
 use super::tool::Kani;
 use cordon_core::{Error, Outcome, Result};
 
@@ -19,7 +19,7 @@ pub struct Checked {
     /// The harness, as the crate `cordon-kani` lists it.
     pub harness: &'static Harness,
     /// What Kani's report of it amounts to.
-    pub finding: Finding,
+    pub finding: HarnessResult,
 }
 
 /// What one run of Kani came to.
@@ -90,7 +90,7 @@ impl Report {
 
     /// How many harnesses were proved.
     pub fn proved(&self) -> usize {
-        self.harnesses.iter().filter(|c| c.finding.verdict == Verdict::Proved).count()
+        self.harnesses.iter().filter(|c| c.finding.verdict == Ending::Proved).count()
     }
 
     /// Writes a line for each harness, and a closing one.
@@ -101,7 +101,7 @@ impl Report {
         for Checked { harness, finding } in &self.harnesses {
             let time = finding.seconds.map_or_else(|| "-".to_owned(), |s| format!("{s:.1} s"));
             let verdict = match (finding.verdict, harness.expected) {
-                (Verdict::Proved, Expected::Fails) => "found",
+                (Ending::Proved, Expected::Fails) => "found",
                 (verdict, _) => verdict.label(),
             };
             let (name, subject) = (harness.name, harness.subject);
@@ -118,7 +118,7 @@ impl Report {
             .harnesses
             .iter()
             .filter(|c| {
-                c.finding.verdict == Verdict::Proved && c.harness.expected == Expected::Fails
+                c.finding.verdict == Ending::Proved && c.harness.expected == Expected::Fails
             })
             .count();
         let (kani, all) = (&self.kani, self.harnesses.len());

@@ -7,9 +7,9 @@ use cordon_spec::theorems::Theorem;
 use serde::Deserialize;
 
 use super::record::{Record, entry};
-use super::{Context, Evidence, Status, Tier, Verdict};
+use super::{Context, Evidence, Status, Tier, TierVerdict};
 use crate::model_check::report::{Checked, Report};
-use crate::model_check::results::Verdict as Ending;
+use crate::model_check::results::Ending;
 use crate::model_check::tool::Kani;
 use crate::model_check::{Limits, NotRun, SOURCES, run};
 use cordon_core::{Error, Result, files};
@@ -86,9 +86,9 @@ pub fn recorded(root: &Path) -> Result<Option<Record>> {
         let rows = mine.iter().map(|h| (h.name, page.harnesses.iter().find(|r| r.name == h.name)));
         let verdicts = rows.clone().map(|(name, row)| match row {
             Some(row) => judged(name, Ending::labelled(&row.verdict), &row.detail),
-            None => Verdict::Inconclusive(format!("{name}: not in the record")),
+            None => TierVerdict::Inconclusive(format!("{name}: not in the record")),
         });
-        let worst = verdicts.reduce(Verdict::worse)?;
+        let worst = verdicts.reduce(TierVerdict::worse)?;
         let seconds = rows.filter_map(|(_, row)| row?.seconds).sum();
         Some(entry(theorem, worst, scope(mine.len()), seconds))
     };
@@ -105,22 +105,24 @@ fn scope(harnesses: usize) -> String {
     format!("{harnesses} harnesses within their bounds (`cargo xtask kani --list`)")
 }
 
-fn verdict(checked: &Checked) -> Verdict {
+fn verdict(checked: &Checked) -> TierVerdict {
     let Checked { harness, finding } = checked;
     judged(harness.name, Some(finding.verdict), &finding.detail)
 }
 
 /// What the end of a harness means for its theorem; `None`: an end that is not known.
-fn judged(harness: &str, ending: Option<Ending>, detail: &str) -> Verdict {
+fn judged(harness: &str, ending: Option<Ending>, detail: &str) -> TierVerdict {
     let Some(ending) = ending else {
-        return Verdict::Rejected(format!("{harness}: an unknown verdict"));
+        return TierVerdict::Rejected(format!("{harness}: an unknown verdict"));
     };
     let said = || format!("{harness}: {}: {detail}", ending.label());
     match ending {
-        Ending::Proved => Verdict::Holds,
-        Ending::Refuted => Verdict::Refuted(said()),
-        Ending::TimedOut | Ending::OutOfMemory | Ending::Broken => Verdict::Inconclusive(said()),
-        Ending::Vacuous | Ending::Missing => Verdict::Rejected(said()),
+        Ending::Proved => TierVerdict::Holds,
+        Ending::Refuted => TierVerdict::Refuted(said()),
+        Ending::TimedOut | Ending::OutOfMemory | Ending::Broken => {
+            TierVerdict::Inconclusive(said())
+        }
+        Ending::Vacuous | Ending::Missing => TierVerdict::Rejected(said()),
     }
 }
 
@@ -158,22 +160,22 @@ impl Tier for ModelChecked {
         };
         let mine = report.harnesses.iter().filter(|c| c.harness.subject == number);
         let mine: Vec<_> = mine.collect();
-        let worst = mine.iter().map(|c| verdict(c)).reduce(Verdict::worse);
+        let worst = mine.iter().map(|c| verdict(c)).reduce(TierVerdict::worse);
         Status::Run {
-            verdict: worst.unwrap_or(Verdict::Inconclusive("no harness was run".to_owned())),
+            verdict: worst.unwrap_or(TierVerdict::Inconclusive("no harness was run".to_owned())),
             scope: scope(mine.len()),
             seconds: mine.iter().filter_map(|c| c.finding.seconds).sum(),
         }
     }
 
-    fn problems(&self) -> Vec<Verdict> {
+    fn problems(&self) -> Vec<TierVerdict> {
         let Some(Ok(report)) = self.ran.get() else { return Vec::new() };
         let theorems = Theorem::ALL.map(|t| t.number());
         let others = report.harnesses.iter().filter(|c| !theorems.contains(&c.harness.subject));
         let unexpected = report
             .unexpected
             .iter()
-            .map(|name| Verdict::Rejected(format!("{name}: reported by Kani, and in no list")));
-        others.map(verdict).filter(|v| *v != Verdict::Holds).chain(unexpected).collect()
+            .map(|name| TierVerdict::Rejected(format!("{name}: reported by Kani, and in no list")));
+        others.map(verdict).filter(|v| *v != TierVerdict::Holds).chain(unexpected).collect()
     }
 }

@@ -6,7 +6,7 @@ use cordon_spec::theorems::Theorem;
 use serde::{Deserialize, Serialize};
 use time::OffsetDateTime;
 
-use super::{Status, Tier, Verdict, model_checked, sources};
+use super::{Status, Tier, TierVerdict, model_checked, sources};
 use cordon_core::{Error, Result, files};
 
 /// The file, below the repository's root.
@@ -69,13 +69,13 @@ pub enum Found {
 
 impl Entry {
     /// The verdict with the recorded words.
-    pub fn verdict(&self) -> Verdict {
+    pub fn verdict(&self) -> TierVerdict {
         let said = self.scope.clone();
         match self.result {
-            Found::Holds => Verdict::Holds,
-            Found::Refuted => Verdict::Refuted(said),
-            Found::Rejected => Verdict::Rejected(said),
-            Found::Inconclusive => Verdict::Inconclusive(said),
+            Found::Holds => TierVerdict::Holds,
+            Found::Refuted => TierVerdict::Refuted(said),
+            Found::Rejected => TierVerdict::Rejected(said),
+            Found::Inconclusive => TierVerdict::Inconclusive(said),
         }
     }
 }
@@ -165,12 +165,12 @@ impl Records {
 }
 
 /// The entry of a record about a theorem.
-pub(super) fn entry(theorem: Theorem, verdict: Verdict, scope: String, seconds: f64) -> Entry {
+pub(super) fn entry(theorem: Theorem, verdict: TierVerdict, scope: String, seconds: f64) -> Entry {
     let (result, scope) = match verdict {
-        Verdict::Holds => (Found::Holds, scope),
-        Verdict::Refuted(why) => (Found::Refuted, why),
-        Verdict::Rejected(why) => (Found::Rejected, why),
-        Verdict::Inconclusive(why) => (Found::Inconclusive, why),
+        TierVerdict::Holds => (Found::Holds, scope),
+        TierVerdict::Refuted(why) => (Found::Refuted, why),
+        TierVerdict::Rejected(why) => (Found::Rejected, why),
+        TierVerdict::Inconclusive(why) => (Found::Inconclusive, why),
     };
     let seconds = (seconds * 10.0).round() / 10.0;
     Entry { number: theorem.number().to_owned(), result, scope, seconds }

@@ -69,7 +69,7 @@ impl Line {
         let gaps = Rational::from_index(count - 1);
         let rest: Vec<Rational> =
             (0..count).map(|i| scaled_target(&p.min, &p.max, count, i) / &gaps).collect();
-        let Weights { side, centre, den } = Weights::of(&p.eps)?;
+        let LineWeights { side, centre, den } = LineWeights::of(&p.eps)?;
         Ok(Self::assemble(Ends::Fixed, side, centre, den, &rest, start))
     }
 
@@ -143,7 +143,7 @@ impl Line {
 
 /// The weights of the coverage protocol's internal drones over a common denominator.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Weights {
+pub struct LineWeights {
     /// Numerator of the weight of each neighbour.
     pub side: BigInt,
     /// Of the drone itself.
@@ -152,7 +152,7 @@ pub struct Weights {
     pub den: BigInt,
 }
 
-impl Weights {
+impl LineWeights {
     /// Reads the weights off the spec, and that the end drones stay at the ends, both
     /// neighbours count alike and all weights sum to 1.
     ///

@@ -2,7 +2,7 @@
 
 use cordon_fmi::fmu::{self, Datum, Type, Version};
 use cordon_fmi::instance::Instance;
-use cordon_fmi::message::{Answer, Beginning};
+use cordon_fmi::message::{Beginning, Reply};
 #[cfg(unix)]
 use cordon_fmi::remote::Remote;
 use tempfile::TempDir;
@@ -63,7 +63,7 @@ impl Session {
         }
     }
 
-    fn initialise(&mut self, beginning: Beginning) -> Answer {
+    fn initialise(&mut self, beginning: Beginning) -> Reply {
         match self {
             Self::Here(instance) => instance.initialise(beginning),
             #[cfg(unix)]
@@ -71,7 +71,7 @@ impl Session {
         }
     }
 
-    fn step(&mut self, from: f64, size: f64, inputs: Vec<Datum>) -> Answer {
+    fn step(&mut self, from: f64, size: f64, inputs: Vec<Datum>) -> Reply {
         match self {
             Self::Here(instance) => instance.step(from, size, &inputs),
             #[cfg(unix)]
@@ -137,7 +137,7 @@ impl Foreign {
     }
 
     /// Takes an answer: the notes, and the outputs' values.
-    fn take(&mut self, answer: Answer, when: &str) -> Result<(), UnitError> {
+    fn take(&mut self, answer: Reply, when: &str) -> Result<(), UnitError> {
         self.note(answer.notes);
         let read = answer.result.map_err(|what| self.failed(&format!("{when}{what}")))?;
         let outputs = self.counterparts.iter().filter(|c| c.causality == Causality::Output);

@@ -58,10 +58,14 @@ const CHAIN: [(&str, &[(&str, &str)]); 3] = [
     ("inner", &[("x", "x(i) + eps*(x(i-1) - x(i))")]),
     ("last", &[("x", "x(i) + eps*(x(i-1) - x(i))")]),
 ];
+/// Second order: the position follows the speed, the speed the neighbour's position.
+const FOLLOWING: [(&str, &[(&str, &str)]); 1] =
+    [("all", &[("x", "x(i) + eps*(v(i) - x(i))"), ("v", "v(i) + eps*(x(i-1) - v(i))")])];
 const PULLED: [(&str, &[(&str, &str)]); 1] = [("all", &[("x", "x(i) + eps*(x(i+1) - x(i))")])];
 const ORDER: &str = "x(i) < x(i+1)";
 const WEAK: &str = "x(i) <= x(i+1)";
 const BOX: [&str; 2] = ["min <= x(i)", "x(i) <= max"];
+const BOTH: [&str; 4] = ["min <= x(i)", "x(i) <= max", "min <= v(i)", "v(i) <= max"];
 const ENDS: [&str; 2] = ["x(0) = min", "x(last) = max"];
 
 fn cases() -> Vec<(&'static str, Family, bool)> {
@@ -87,6 +91,9 @@ fn cases() -> Vec<(&'static str, Family, bool)> {
         ),
         ("chain box", family(Line, ["0", "1"], &CHAIN, &BOX, &BOX), true),
         ("ring box", family(Ring, ["0", "1"], &PULLED, &BOX, &BOX), true),
+        ("ring of two variables", family(Ring, ["0", "1"], &FOLLOWING, &BOTH, &BOTH), true),
+        ("ring of two, half claimed", family(Ring, ["0", "1"], &FOLLOWING, &BOTH, &BOX), true),
+        ("ring of two beyond 1", family(Ring, ["0", "2"], &FOLLOWING, &BOTH, &BOTH), false),
         ("coverage beyond 1/2", family(Line, ["0", "3/5"], &COVERAGE, &BOX, &BOX), false),
         ("coverage order beyond", family(Line, ["0", "3/5"], &COVERAGE, &ordered, &[ORDER]), false),
         ("consensus beyond", family(Line, ["0", "3/5"], &CONSENSUS, &[WEAK], &[WEAK]), false),
@@ -109,5 +116,5 @@ fn right_ones_are_proved_for_every_number_and_wrong_ones_are_not() {
             proved += 1;
         }
     }
-    assert_eq!(proved, 8);
+    assert_eq!(proved, 10);
 }

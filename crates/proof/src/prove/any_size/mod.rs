@@ -18,7 +18,7 @@ use cordon_spec::Scalar;
 use num_traits::Zero;
 use serde_json::{Value, json};
 
-use super::builder::{Sheet, cases, clause, induction, instance, positivity, split};
+use super::builder::{Sheet, absurd, cases, clause, induction, instance, positivity, split};
 use sums::{Fact, sum};
 use text::{Literal, Place, Reader, Symbol, Symbols};
 
@@ -158,7 +158,7 @@ pub fn any_size(family: &Family) -> Result<Option<AnySize>> {
             }
         }
         candidates = open;
-        if candidates.is_empty() || candidates.len() == before {
+        if candidates.len() == before && !search.mutual(&mut candidates, &mut sheet) {
             break;
         }
     }
@@ -300,14 +300,107 @@ struct Search<'f> {
     proved: Vec<Clause>,
 }
 
+/// A hypothesis of an induction: its clause, and how an instance begins.
+type Hypothesis = (Clause, String, String);
+
 /// A linear form in k, i, last, and its constant.
 type Index = [i64; 4];
 
 impl Search<'_> {
+    /// Proves some of the candidates together, those of the same relation and range; whether there are any.
+    fn mutual(&mut self, candidates: &mut Vec<Clause>, sheet: &mut Sheet) -> bool {
+        let alike = |a: &Clause, b: &Clause| a.literal.sign == b.literal.sign && a.reach == b.reach;
+        let groups = candidates.iter().map(|first| {
+            candidates.iter().filter(|c| alike(c, first)).cloned().collect::<Vec<_>>()
+        });
+        let name = format!("M{}", self.proved.len());
+        let Some((clause, proof, all)) = groups.into_iter().find_map(|g| self.together(g, &name))
+        else {
+            return false;
+        };
+        sheet.lemma(clause, proof);
+        for (j, c) in all.iter().enumerate() {
+            let more = if c.reach.is_some() { (", i=i", ", i=[i], u=[u]") } else { ("", "") };
+            let given = format!("k=[k], s={j}, r={}{}", all.len() - 1 - j, more.1);
+            let instance = instance("c", &name, &format!("k=k, s={j}{}", more.0), &given);
+            sheet.lemma(c.written(self.symbols, "k", true), positivity(&[instance], "[c]"));
+        }
+        candidates.retain(|c| !all.iter().any(|p| p.name == c.name));
+        self.proved.extend(all);
+        true
+    }
+
     /// A proof of the clause by induction over the steps.
     fn proof(&self, candidate: &Clause) -> Option<Value> {
+        let hypothesis = Clause { name: "IH".into(), ..candidate.clone() };
+        let [base, step] =
+            self.parts(candidate, &[(hypothesis, "t=k".into(), "k=[k], t=0".into())])?;
+        Some(induction("k", "k", "t", base, step))
+    }
+
+    /// A clause that says all of several, of the same relation and range, with a variable s for which: for those that need each
+    /// other. What cannot be shown with the help of all is left out.
+    fn together(&self, mut all: Vec<Clause>, name: &str) -> Option<(Value, Value, Vec<Clause>)> {
+        loop {
+            let most = all.len().checked_sub(1).filter(|most| *most > 0)?;
+            let hypotheses: Vec<_> = (0..)
+                .zip(&all)
+                .map(|(j, c)| {
+                    let hypothesis = Clause { name: "IH".into(), ..c.clone() };
+                    let given = format!("k=[k], t=0, s={j}, r={}", most - j);
+                    (hypothesis, format!("t=k, s={j}"), given)
+                })
+                .collect();
+            let parts: Vec<_> = all.iter().map(|c| self.parts(c, &hypotheses)).collect();
+            if parts.iter().any(Option::is_none) {
+                let mut shown = parts.iter();
+                all.retain(|_| shown.next().is_some_and(Option::is_some));
+                continue;
+            }
+            let which = |part: usize| {
+                let none = absurd(&[], "[s] + [r]");
+                let proofs = parts.iter().flatten().rev();
+                proofs.fold(none, |rest, p| cases("s", "s", p[part].clone(), rest))
+            };
+            let proof = induction("k", "k", "t", which(0), which(1));
+            // Lagrange's polynomials in s: 1 at the literal's number, 0 at the others'.
+            let s = self.symbols.variable(Symbol::Name("s".into()));
+            let number = |n: usize| Polynomial::from_int(i32::try_from(n).unwrap_or(i32::MAX));
+            let terms = all.iter().enumerate().map(|(j, c)| {
+                let others = (0..=most).filter(|l| *l != j);
+                others.fold(c.literal.poly.clone(), |p, l| {
+                    let scale = Rational::new(1.into(), (j as i64 - l as i64).into());
+                    p * &((s.clone() - &number(l)) * &Polynomial::constant(scale))
+                })
+            });
+            let poly = terms.fold(Polynomial::default(), |sum, t| sum + &t);
+            let first = all.first()?;
+            let whole = Clause {
+                name: name.into(),
+                literal: Literal { poly, ..first.literal.clone() },
+                ..first.clone()
+            };
+            let mut written = whole.written(self.symbols, "k", true);
+            for (key, more) in [
+                ("for", vec![json!({ "name": "s", "sort": "integer" })]),
+                (
+                    "given",
+                    vec![
+                        json!({ "name": "s", "holds": "s >= 0" }),
+                        json!({ "name": "r", "holds": format!("{most} - s >= 0") }),
+                    ],
+                ),
+            ] {
+                written[key].as_array_mut()?.extend(more);
+            }
+            return Some((written, proof, all));
+        }
+    }
+
+    /// Proofs of the literal at step 0 and one step later.
+    fn parts(&self, candidate: &Clause, hypotheses: &[Hypothesis]) -> Option<[Value; 2]> {
         let base = |case: Case| self.base(candidate, case);
-        let step = |case: Case| self.step(candidate, case);
+        let step = |case: Case| self.step(candidate, case, hypotheses);
         let by_class = |leaf: &dyn Fn(Case) -> Option<Value>| match candidate.reach {
             None => leaf(Case::Any),
             Some(_) => {
@@ -315,8 +408,7 @@ impl Search<'_> {
                 Some(cases("i", "i", leaf(Case::First)?, beyond))
             }
         };
-        let base = base(Case::Any).or_else(|| by_class(&base))?;
-        Some(induction("k", "k", "t", base, by_class(&step)?))
+        Some([base(Case::Any).or_else(|| by_class(&base))?, by_class(&step)?])
     }
 
     /// Where agent i is in a case.
@@ -416,7 +508,7 @@ impl Search<'_> {
     }
 
     /// The literal one step later.
-    fn step(&self, candidate: &Clause, case: Case) -> Option<Value> {
+    fn step(&self, candidate: &Clause, case: Case, hypotheses: &[Hypothesis]) -> Option<Value> {
         let symbols = self.symbols;
         let poly = candidate.at(symbols, Self::place(candidate, case));
         let mut indices = Self::indices(candidate, case);
@@ -467,8 +559,10 @@ impl Search<'_> {
             }
         }
         let mut found = Vec::new();
-        let hypothesis = Clause { name: "IH".into(), ..candidate.clone() };
-        self.instances(&hypothesis, &near, &indices, "g", ("t=k", "k=[k], t=0"), &mut found);
+        for (j, (hypothesis, with, given)) in hypotheses.iter().enumerate() {
+            let with = (with.as_str(), given.as_str());
+            self.instances(hypothesis, &near, &indices, &format!("g{j}"), with, &mut found);
+        }
         for lemma in &self.proved {
             self.instances(
                 lemma,

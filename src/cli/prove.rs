@@ -55,8 +55,9 @@ pub enum FormChoice {
 
 /// Searches certificates, has each one checked, and writes them.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    if let Some((_, system)) = args.own.system()? {
-        return own_protocol::prove(&args.own, &system, args.out.as_deref(), args.format, out);
+    if let Some((file, system)) = args.own.system()? {
+        let folder = args.out.as_deref();
+        return own_protocol::prove(&args.own, &file, &system, folder, args.format, out);
     }
     let drones = drones(&args.drones)?;
     let weights = args.eps.as_deref().map(|t| range::closed("eps", t)).transpose()?;

@@ -13,10 +13,12 @@ use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::system::System;
 use cordon_core::{Error, Evidence, Outcome, Result};
 use cordon_proof::certificate;
+use cordon_proof::claims::any_size::any_size;
 use cordon_proof::claims::certificate::certificate as sealed;
 use cordon_proof::claims::converge::{self, Contraction, Growth};
 use cordon_proof::claims::{self, Proved};
 use cordon_proof::counterexample::list;
+use cordon_run::protocol::{Classes, ProtocolFile};
 
 /// Proves what a protocol file claims, or refutes it, or says that it can do neither: first the claims
 /// about every step, then convergence.
@@ -25,6 +27,7 @@ use cordon_proof::counterexample::list;
 /// A certificate cannot be written, or is beyond the checker's limits.
 pub fn prove(
     args: &ProtocolArgs,
+    file: &ProtocolFile,
     system: &System,
     folder: Option<&Path>,
     format: OutputFormat,
@@ -33,10 +36,31 @@ pub fn prove(
     let mut page = head(system);
     let mut outcome = Outcome::Holds;
     let text = format == OutputFormat::Text;
-    if text {
+    let for_every = match args.classes(file)? {
+        None => None,
+        Some(classes) => Some(every_number(args, classes, folder)?),
+    };
+    if let Some(found) = &for_every {
+        if text {
+            every_number_text(system, found, out)?;
+        }
+        page.insert(
+            "every_number",
+            json!({
+                "proved": found.proved,
+                "reason": found.reason,
+                "clauses": found.clauses,
+                "file": found.file,
+            }),
+        );
+    }
+    // What the kernel proves of N >= 3 leaves smaller numbers, and convergence.
+    let is_proved = for_every.as_ref().is_some_and(|f| f.proved);
+    let is_left = !is_proved || system.agents < 3 || system.converges.is_some();
+    if text && is_left {
         writeln!(out, "{}", headline(system))?;
     }
-    if !system.claims.is_empty() {
+    if !system.claims.is_empty() && (!is_proved || system.agents < 3) {
         match claims::prove(system) {
             Some(found) => {
                 let certificate = sealed(&found.system, &found.proof)
@@ -73,6 +97,59 @@ pub fn prove(
         writeln!(out, "{:#}", json!(page))?;
     }
     Ok(outcome)
+}
+
+/// What is known for every number of agents.
+struct EveryNumber {
+    proved: bool,
+    /// Why not.
+    reason: Option<String>,
+    /// Clauses of the invariant.
+    clauses: Option<usize>,
+    file: Option<String>,
+}
+
+fn every_number(
+    args: &ProtocolArgs,
+    classes: std::result::Result<Classes, String>,
+    folder: Option<&Path>,
+) -> Result<EveryNumber> {
+    match classes.and_then(|classes| any_size(&classes)) {
+        Ok((certificate, clauses)) => {
+            certificate::judged(&certificate)?;
+            let file = written(args, folder, "-every-n", &certificate)?;
+            Ok(EveryNumber { proved: true, reason: None, clauses: Some(clauses), file })
+        }
+        Err(reason) => {
+            Ok(EveryNumber { proved: false, reason: Some(reason), clauses: None, file: None })
+        }
+    }
+}
+
+fn every_number_text(system: &System, found: &EveryNumber, out: &mut dyn Write) -> Result<()> {
+    match (&found.reason, found.clauses) {
+        (None, Some(clauses)) => {
+            writeln!(out, "{}: every number of agents from 3 on", system.title)?;
+            writeln!(out, "  proved: the claims hold at every step from every assumed start")?;
+            writeln!(
+                out,
+                "  {}: by induction over the steps, with cases over the agents; {clauses} clause{} in the \
+                 invariant",
+                Evidence::Certified,
+                if clauses == 1 { "" } else { "s" }
+            )?;
+        }
+        (reason, _) => writeln!(
+            out,
+            "{}: not proved for every number of agents: {}",
+            system.title,
+            reason.as_deref().unwrap_or("")
+        )?,
+    }
+    if let Some(file) = &found.file {
+        writeln!(out, "  wrote {file}")?;
+    }
+    Ok(())
 }
 
 fn convergence(

@@ -89,7 +89,77 @@ pub trait Meaning {
     }
 }
 
+/// How the names of an expression are written in another syntax. Errors are messages; the place is
+/// added.
+pub trait Words {
+    /// `name`
+    ///
+    /// # Errors
+    /// It has no counterpart.
+    fn name(&self, name: &str) -> Result<String, String>;
+
+    /// `owner.name`
+    ///
+    /// # Errors
+    /// It has no counterpart.
+    fn member(&self, owner: &str, name: &str) -> Result<String, String>;
+
+    /// `name[index]`
+    ///
+    /// # Errors
+    /// It has no counterpart.
+    fn indexed(&self, name: &str, index: &Expression) -> Result<String, String>;
+
+    /// `sum(inner)`
+    ///
+    /// # Errors
+    /// It has no counterpart.
+    fn sum(&self, inner: &Expression) -> Result<String, String>;
+}
+
+/// Numbers only.
+struct Numbers;
+
+impl Meaning for Numbers {
+    fn name(&self, name: &str) -> Result<Polynomial, String> {
+        Err(format!("`{name}`: expected a number"))
+    }
+}
+
 impl Expression {
+    /// The expression in another syntax: sums and products in brackets, fractions as numbers.
+    ///
+    /// # Errors
+    /// A name that has no counterpart there.
+    pub fn written(&self, words: &impl Words) -> Result<String, SyntaxError> {
+        let placed = |message| SyntaxError { at: self.at, message };
+        let both = |pair: &[Self; 2]| {
+            let [a, b] = pair;
+            Ok((a.written(words)?, b.written(words)?))
+        };
+        match &self.node {
+            Node::Number(n) if n.is_negative() => Ok(format!("(0 - {})", fraction(&n.abs()))),
+            Node::Number(n) => Ok(fraction(n)),
+            Node::Name(name) => words.name(name).map_err(placed),
+            Node::Member(owner, name) => words.member(owner, name).map_err(placed),
+            Node::Indexed(name, index) => words.indexed(name, index).map_err(placed),
+            Node::Sum(inner) => words.sum(inner).map_err(placed),
+            Node::Plus(pair) => both(pair).map(|(a, b)| format!("({a} + {b})")),
+            Node::Minus(pair) => both(pair).map(|(a, b)| format!("({a} - {b})")),
+            Node::Times(pair) => both(pair).map(|(a, b)| format!("{a}*{b}")),
+            Node::Over(pair) => {
+                let [a, b] = &**pair;
+                match number(&b.value(&Numbers)?) {
+                    Some(d) if !d.is_zero() => {
+                        let factor = Self { node: Node::Number(d.recip()), at: self.at };
+                        Ok(format!("{}*{}", a.written(words)?, factor.written(words)?))
+                    }
+                    _ => Err(placed("expected a number other than 0 to divide by".to_owned())),
+                }
+            }
+        }
+    }
+
     /// Reads an expression.
     ///
     /// # Errors

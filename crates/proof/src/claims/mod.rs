@@ -1,5 +1,6 @@
 //! The claims about a system: proved with a certificate, or refuted by a smallest run.
 
+pub mod any_size;
 pub mod automaton;
 mod bounds;
 pub mod certificate;

@@ -4,6 +4,7 @@
 //! [`System`] for any number of agents that it allows.
 
 mod claims;
+mod classes;
 mod document;
 mod links;
 mod rules;
@@ -16,7 +17,9 @@ use cordon_core::{Error, Result};
 
 use crate::scenario::document::document;
 use crate::scenario::file::Source;
-use document::{Agents, Document};
+pub use classes::Classes;
+pub use document::Agents;
+use document::Document;
 
 /// A protocol file, read and checked as far as that does not depend on the number of agents.
 #[derive(Clone, Debug)]

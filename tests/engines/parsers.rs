@@ -14,7 +14,6 @@ use cordon_cosim::store;
 use cordon_proof::export::conjecture::Conjecture;
 use cordon_proof::export::smt_model::read_answer;
 use cordon_proof::export::smt2::{Obligation, Query, WeightDomain};
-use cordon_proof::own_protocol;
 use cordon_proof::sweep::store as results;
 use cordon_run::scenario;
 use cordon_spec::theorems::{Form, Theorem};
@@ -164,7 +163,9 @@ fn scenarios() {
 #[test]
 fn own_protocols() {
     smoke("own protocol", &files_of("scenarios/own", "toml"), |bytes| {
-        own_protocol::parse("x.toml", text(bytes)?).map(|_| ())
+        let file = cordon_run::protocol::parse("x.toml", text(bytes)?)?;
+        // Many agents take a second each.
+        if file.agents.fewest() > 60 { Ok(()) } else { file.system().map(|_| ()) }
     });
 }
 

@@ -18,7 +18,11 @@ pub use protocol::{Consensus, Coverage, Protocol};
 
 use num_traits::Zero;
 
-use crate::Rational;
+use crate::exact::shortened;
+use crate::scalar::Polynomial;
+use crate::{Error, Rational};
+use expression::{Meaning, SyntaxError, comparisons};
+
 use crate::linear::affine::Affine;
 use crate::linear::feasible::{Constraint, Sign};
 
@@ -82,7 +86,38 @@ pub struct Predicate {
     pub is: Constraint,
 }
 
+/// The names of a system's state variables.
+struct Names<'s>(&'s System);
+
+impl Meaning for Names<'_> {
+    fn name(&self, name: &str) -> std::result::Result<Polynomial, String> {
+        match self.0.state.iter().position(|s| s == name) {
+            Some(place) => Ok(Polynomial::variable(u32::try_from(place).unwrap_or(u32::MAX))),
+            None => Err(format!("`{name}`: expected a state variable")),
+        }
+    }
+}
+
 impl Predicate {
+    /// One comparison of the state variables of a system, by name: `x0 <= x1`.
+    ///
+    /// # Errors
+    /// It is none, or not linear in them.
+    pub fn parse(system: &System, text: &str) -> crate::Result<Self> {
+        let wrong = |e: SyntaxError| Error::input(format!("`{}`: {}", shortened(text), e.message));
+        let [comparison] = comparisons(text)
+            .map_err(wrong)?
+            .try_into()
+            .map_err(|_| Error::input(format!("`{}`: expected one comparison", shortened(text))))?;
+        let names = Names(system);
+        let greater = comparison.greater.value(&names).map_err(wrong)?;
+        let difference = greater - &comparison.less.value(&names).map_err(wrong)?;
+        let form = difference.affine().ok_or_else(|| {
+            Error::input(format!("`{}`: expected no product of state variables", shortened(text)))
+        })?;
+        Ok(Self { text: text.to_owned(), is: Constraint { form, sign: comparison.relation } })
+    }
+
     /// Whether it holds of a state.
     pub fn holds(&self, state: &[Rational]) -> bool {
         self.is.form.at(state).is_some_and(|value| self.is.sign.met_by(&value))

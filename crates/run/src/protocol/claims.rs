@@ -4,7 +4,6 @@ use std::cell::Cell;
 
 use toml::{Spanned, Value};
 
-use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::Constraint;
 use cordon_core::scalar::Polynomial;
 use cordon_core::system::expression::{
@@ -196,7 +195,7 @@ impl Claims<'_> {
             let (depends, beyond) = (Cell::new(false), Cell::new(false));
             let about = About { claims: self, i, depends: &depends, beyond: &beyond };
             let difference = comparison.greater.value(&about)? - &comparison.less.value(&about)?;
-            let form = affine(&difference).ok_or_else(|| SyntaxError {
+            let form = difference.affine().ok_or_else(|| SyntaxError {
                 at: 0,
                 message: "expected no product of state variables".to_owned(),
             })?;
@@ -248,24 +247,4 @@ impl Claims<'_> {
         }
         Ok(targets)
     }
-}
-
-/// The polynomial as a form in its indeterminates; `None` where it is not affine.
-pub(super) fn affine(p: &Polynomial) -> Option<Affine> {
-    let mut constant = Rational::default();
-    let mut coefficients = Vec::new();
-    for (m, c) in p.terms() {
-        match m.powers().collect::<Vec<_>>().as_slice() {
-            [] => constant = c.clone(),
-            [(v, 1)] => {
-                let v = *v as usize;
-                if coefficients.len() <= v {
-                    coefficients.resize(v + 1, Rational::default());
-                }
-                *coefficients.get_mut(v)? = c.clone();
-            }
-            _ => return None,
-        }
-    }
-    Some(Affine::new(constant, coefficients))
 }

@@ -1,5 +1,4 @@
 //! Users' protocols, proved for every number of agents.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 use cordon_check::Verdict;
 use cordon_core::Rational;
 use cordon_proof::prove::any_size::{AnySize, Family, Topology, any_size};
@@ -117,4 +116,42 @@ fn right_ones_are_proved_for_every_number_and_wrong_ones_are_not() {
         }
     }
     assert_eq!(proved, 10);
+}
+
+/// The committed ones are found again, byte for byte (`CORDON_BLESS=1` writes them).
+#[test]
+fn committed_certificates_are_found_again() {
+    let committed = [
+        ("family-coverage-order", "coverage order"),
+        ("family-leader", "chain"),
+        ("family-ring-box", "ring box"),
+        ("family-two-variables", "ring of two, half claimed"),
+    ];
+    for (file, case) in committed {
+        let (_, family, _) = cases().into_iter().find(|(name, ..)| *name == case).unwrap();
+        let page = format!("{:#}\n", any_size(&family).unwrap().unwrap().certificate);
+        let path = format!("{}/proofs/certificates/{file}.json", env!("CARGO_MANIFEST_DIR"));
+        if std::env::var_os("CORDON_BLESS").is_some() {
+            std::fs::write(&path, &page).unwrap();
+        }
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), page, "{file}");
+    }
+}
+
+#[test]
+fn what_the_strategy_does_not_read_is_named() {
+    let with = |claim: &str| family(Topology::Line, ["0", "1"], &CHAIN, &[], &[claim]);
+    let wrong = [
+        ("x(i)", "expected `<`, `<=`, `=`, `>=` or `>`"),
+        ("x(i) < y(i)", "expected sums and products of numbers, parameters and agents"),
+        ("x(j) < 1", "agents like `x(i-1)`, at `)"),
+        ("x(i)*x(i+1) < 1", "expected agents, and no products of them"),
+        ("min < max", "expected agents, and no products of them"),
+        ("x(i-1) < 1", "expected agents i, or i and i+1"),
+        ("x(i) < x(i+2)", "expected agents i, or i and i+1"),
+    ];
+    for (claim, expected) in wrong {
+        let said = any_size(&with(claim)).unwrap_err().to_string();
+        assert!(said.contains(expected), "{claim}: {said}");
+    }
 }

@@ -93,6 +93,13 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     }
     let mut outcome = Outcome::Holds;
     let mut results = Vec::new();
+    if let Some(space) = spaces.iter().find(|s| s.is_long() || args.has_many_patterns(s)) {
+        super::progress::announce(&format!(
+            "{} with up to {} drones: this may take some minutes",
+            space.theorem.number(),
+            space.drones.iter().max().copied().unwrap_or_default()
+        ));
+    }
     progress::expect(spaces.iter().map(SearchSpace::pieces).sum());
     for space in &spaces {
         let answer = match args.delay {
@@ -159,6 +166,12 @@ impl Args {
             )));
         }
         Ok(())
+    }
+
+    /// Whether steps have so many patterns of skipped updates or delays that trying them is long.
+    fn has_many_patterns(&self, space: &SearchSpace) -> bool {
+        let most = space.drones.iter().max().copied().unwrap_or_default();
+        (self.activation && most > 9) || (self.delay.is_some() && most > 7)
     }
 
     /// Whether the search knows what the theorem reads.

@@ -171,7 +171,9 @@ impl Args {
     /// Whether steps have so many patterns of skipped updates or delays that trying them is long.
     fn has_many_patterns(&self, space: &SearchSpace) -> bool {
         let most = space.drones.iter().max().copied().unwrap_or_default();
-        (self.activation && most > 9) || (self.delay.is_some() && most > 7)
+        let delayed = |longest| delay::number_of_patterns(most, longest);
+        (self.activation && (10..=activation::MOST).contains(&most))
+            || self.delay.is_some_and(|d| (10_000..=delay::MOST_PATTERNS).contains(&delayed(d)))
     }
 
     /// Whether the search knows what the theorem reads.

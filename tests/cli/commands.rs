@@ -375,9 +375,8 @@ fn a_long_refutation_is_shown_by_its_ends() {
 
 #[test]
 fn long_work_is_announced_before_it_begins() {
-    let refute = |drones| {
-        run(&["refute", "7.4ii", "--eps", "1/4", "--steps", "1", "--drones", drones]).2
-    };
+    let refute =
+        |drones| run(&["refute", "7.4ii", "--eps", "1/4", "--steps", "1", "--drones", drones]).2;
     assert_eq!(refute("12"), "note: 7.4ii with up to 12 drones: this may take some minutes\n");
     assert_eq!(refute("4"), "");
     let (code, out, err) =

@@ -8,20 +8,22 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
-build="$root/target/peers"
-mkdir -p "$build"
 cd "$root"
+# Where cargo puts what it builds.
+target=${CARGO_TARGET_DIR:-$root/target}
+build="$target/peers"
+mkdir -p "$build"
 
 say() { echo "$*" >&2; }
 
 if [ "${GMP:-yes}" = yes ] && command -v m4 >/dev/null; then
     cargo build --quiet --release --features gmp --example at
-    cp target/release/examples/at "$build/at-gmp"
+    cp "$target/release/examples/at" "$build/at-gmp"
 else
     say "without GMP as a backend: needs m4, and GMP=no not set"
 fi
 cargo build --quiet --release --bin cordon --example at
-cp target/release/cordon target/release/examples/at "$build/"
+cp "$target/release/cordon" "$target/release/examples/at" "$build/"
 
 compile() { # name, libraries
     if cc -O2 -o "$build/$1" "$here/$1.c" $2 2>"$build/$1.log"; then :; else

@@ -111,8 +111,9 @@ Limits: files of 4 MiB, numbers of 2,100 characters. Exit codes: 0 all valid, 2 
         "Example:
   cordon threshold --property convergence --drones 5 --digits 20
 
-Limits: 3 to 1,000 drones, 1,000 decimal places; certificates of the safe side of ordering and bound up to \
-198 drones.",
+Limits: 3 to 1,000 drones, 1,000 decimal places; of convergence both together as far as the independent \
+checker's bound on its work allows (1,000 drones with 400 places, 300 with 1,000). Certificates of the safe side of \
+ordering and bound up to 198 drones.",
     ),
     (
         "settle",
@@ -120,8 +121,7 @@ Limits: 3 to 1,000 drones, 1,000 decimal places; certificates of the safe side o
   cordon settle --drones 5 --eps 1/4 --within 0.01
   cordon settle --drones 5 --eps 1/4 --within 0.01 --start 0,1,2,3,5
 
-Limits: 3 to 10,000 drones, of which thousands take a minute; 5,000,000 drone updates where runs are \
-executed. Longer ones are jumped over where eps is at most 1/2, and else left undetermined.",
+Limits: 3 to 10,000 drones; 5,000,000 drone updates where runs are executed. Longer ones are jumped over where eps is at most 1/2, and else left undetermined.",
     ),
     ("export", "Example:\n  cordon export smt2 7.2 --drones 4 | z3 -in"),
     (

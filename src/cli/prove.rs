@@ -219,6 +219,14 @@ fn claims(args: &Args, narrowed: &Scope) -> Result<Vec<(&'static Claim, Form)>> 
             "claim: `{name}` is unknown: expected `all` or some of {claims}"
         )));
     }
+    // `all` has claims with one form only; who names such a claim is told.
+    let formless = |c: &&Claim| c.theorem.is_none() && names.contains(&c.name);
+    if let (FormChoice::Paper, Some(claim)) = (args.form, CLAIMS.iter().find(formless)) {
+        return Err(Error::input(format!(
+            "form: `paper`: expected the form `sharp` of `{}`, which has no other",
+            claim.name
+        )));
+    }
     let wanted = |c: &&Claim| {
         let fits = c.theorem.is_some() || c.statement(narrowed).is_some();
         names.iter().any(|n| named(c, n) || (*n == "all" && fits))

@@ -97,6 +97,13 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     }
     let mut outcome = Outcome::Holds;
     let mut results = Vec::new();
+    if let Some(space) = spaces.iter().find(|s| s.is_long() || args.has_many_patterns(s)) {
+        super::progress::announce(&format!(
+            "{} with up to {} drones: this may take some minutes",
+            space.theorem.number(),
+            space.drones.iter().max().copied().unwrap_or_default()
+        ));
+    }
     progress::expect(spaces.iter().map(SearchSpace::pieces).sum());
     for space in &spaces {
         let answer = match args.delay {
@@ -163,6 +170,14 @@ impl Args {
             )));
         }
         Ok(())
+    }
+
+    /// Whether steps have so many patterns of skipped updates or delays that trying them is long.
+    fn has_many_patterns(&self, space: &SearchSpace) -> bool {
+        let most = space.drones.iter().max().copied().unwrap_or_default();
+        let delayed = |longest| delay::number_of_patterns(most, longest);
+        (self.activation && (10..=activation::MOST).contains(&most))
+            || self.delay.is_some_and(|d| (10_000..=delay::MOST_PATTERNS).contains(&delayed(d)))
     }
 
     /// Whether the search knows what the theorem reads.

@@ -3,14 +3,14 @@
 use std::io::Write;
 use std::path::PathBuf;
 
-use num_traits::Signed;
+use num_traits::{One, Signed};
 use serde_json::{Value, json};
 
 use super::own_protocol;
 use super::progress;
 use super::scenario_args::positions;
 use super::select::OutputFormat;
-use cordon_core::exact::{self, decimal_string, fraction};
+use cordon_core::exact::{self, decimal_string, fraction, in_short};
 use cordon_core::linear::perron::Perron;
 use cordon_core::{Error, Evidence, Outcome, Rational, Result};
 use cordon_proof::certificate;
@@ -60,8 +60,8 @@ impl Args {
     }
 }
 
-/// Numbers of drones up to this take seconds.
-const QUICK: usize = 2_000;
+/// Numbers of drones up to this take a second or two.
+const QUICK: usize = 5_000;
 
 /// Finds the settling step.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
@@ -86,7 +86,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         }
     };
     if args.drones() > QUICK && DRONES.contains(&args.drones()) && within.is_positive() {
-        progress::announce(&format!("{} drones: this may take some minutes", args.drones()));
+        progress::announce(&format!("{} drones: this may take half a minute", args.drones()));
     }
     let found = settling(&starts, &eps, &within)?;
     let (name, certificate) = match &found {
@@ -181,7 +181,13 @@ fn text(args: &Args, found: &Settling, out: &mut dyn Write) -> Result<()> {
             for p in proved {
                 let c = rounded_up(&p.rate).unwrap_or_else(|| p.rate.clone());
                 let (_, by) = describe(&p.by);
-                writeln!(out, "  proved  step {:<8} {by}, c <= {}", p.step, decimal_string(&c, 6))?;
+                // Where six places would round it to 1.
+                let million = Rational::from_integer(1_000_000.into());
+                let shown = match (&c * &million).is_integer() {
+                    true => decimal_string(&c, 6),
+                    false => format!("1 - {}", in_short(&(Rational::one() - &c))),
+                };
+                writeln!(out, "  proved  step {:<8} {by}, c <= {shown}", p.step)?;
             }
             if *not_before > 0 {
                 writeln!(out, "  not before {not_before:<5} the same vector from below")?;

@@ -8,9 +8,9 @@ use serde_json::{Value, json};
 
 use super::own_protocol;
 use super::select::OutputFormat;
-use cordon_core::exact::{decimal_string, fraction};
+use cordon_core::exact::{decimal_string, fraction, in_short};
 use cordon_core::system::System;
-use cordon_core::{Error, Evidence, Outcome, Rational, Result};
+use cordon_core::{Error, Evidence, Outcome, Rational, Result, progress};
 use cordon_proof::certificate;
 use cordon_proof::claims::threshold as claims;
 use cordon_proof::threshold::convergence::{self, Bracket};
@@ -228,7 +228,11 @@ fn affine_text(constant: &str, slope: &str) -> String {
 }
 
 fn converge(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    let Some(found) = convergence::bracket(args.drones(), args.digits()) else {
+    // The search is as long as the check of both certificates, about.
+    progress::expect(4);
+    let found = convergence::bracket(args.drones(), args.digits());
+    progress::advance(2);
+    let Some(found) = found else {
         return not_found(out);
     };
     let w = &found.vector.weights;
@@ -291,7 +295,7 @@ fn converge_text(args: &Args, found: &Bracket, out: &mut dyn Write) -> Result<()
     writeln!(
         out,
         "         contraction: |A| w <= c w with c = 1 - {}, w positive, {} integers of at most {} digits",
-        short(&(Rational::one() - &found.rate)),
+        in_short(&(Rational::one() - &found.rate)),
         found.vector.weights.len(),
         found.vector.weights.iter().map(|w| w.to_string().len()).max().unwrap_or_default()
     )?;
@@ -307,15 +311,6 @@ fn converge_text(args: &Args, found: &Bracket, out: &mut dyn Write) -> Result<()
     Ok(())
 }
 
-/// A fraction in short: powers of ten as 10^-m.
-fn short(unit: &Rational) -> String {
-    let text = unit.denom().to_string();
-    match text.strip_prefix('1').filter(|z| z.bytes().all(|b| b == b'0')) {
-        Some(zeros) if unit.numer().is_one() => format!("10^-{}", zeros.len()),
-        _ => fraction(unit),
-    }
-}
-
 impl Args {
     fn file_name(&self, side: &str) -> String {
         format!("{}-{}-{side}", self.property().name(), self.drones())
@@ -326,6 +321,7 @@ impl Args {
 fn judged_and_written(args: &Args, certificates: &[Named]) -> Result<Vec<String>> {
     for (_, found) in certificates {
         certificate::judged(found)?;
+        progress::advance(1);
     }
     let Some(folder) = &args.out else {
         return Ok(Vec::new());

@@ -374,6 +374,19 @@ fn a_long_refutation_is_shown_by_its_ends() {
 }
 
 #[test]
+fn long_work_is_announced_before_it_begins() {
+    let refute =
+        |drones| run(&["refute", "7.4ii", "--eps", "1/4", "--steps", "1", "--drones", drones]).2;
+    assert_eq!(refute("12"), "note: 7.4ii with up to 12 drones: this may take some minutes\n");
+    assert_eq!(refute("4"), "");
+    let (code, out, err) =
+        run(&["settle", "--drones", "4", "--eps", "1e-8", "--within", "0.5", "--start", "0,0,0,1"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(out.contains("proved  step 28768208 ") && out.contains(", c <= 1 - 10^-9"), "{out}");
+    assert!(out.contains("true    step 20122103 the run itself"), "{out}");
+}
+
+#[test]
 fn an_inconclusive_proof_names_the_flag_that_is_in_the_way() {
     let (code, out, _) = run(&["prove", "projection", "--eps", "0..1/2"]);
     assert_eq!(code, 3);

@@ -107,6 +107,7 @@ refute --protocol scenarios/own/hasty-coverage.toml --drones 3
 prove 9.9
 prove 7.2 --drones 2
 prove 7.2 --eps 1/2..0
+prove 7.8-low --form paper
 prove --protocol no-such-file.toml
 prove 7.2 --protocol scenarios/own/hasty-coverage.toml
 check no-such-file.json
@@ -156,5 +157,5 @@ fn every_message_is_as_it_was_read() {
         assert_eq!(found, expected);
     }
     assert_eq!(found.len(), expected.len());
-    assert_eq!(CALLS.lines().count(), 118);
+    assert_eq!(CALLS.lines().count(), 119);
 }

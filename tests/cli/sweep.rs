@@ -76,8 +76,8 @@ fn counterexamples_are_minimal() {
 fn counterexamples_are_replayable() {
     let mut replayed = 0;
     for args in [
-        "--drones 3..6 --max-denominator 5 --any-weight --grid 6 --steps 6",
-        "--drones 3..6 --max-denominator 5 --any-weight --complete --steps 6",
+        "--form both --drones 3..6 --max-denominator 5 --any-weight --grid 6 --steps 6",
+        "--form both --drones 3..6 --max-denominator 5 --any-weight --complete --steps 6",
     ] {
         let (code, out, _) = sweep(args);
         assert_eq!(code, 1);

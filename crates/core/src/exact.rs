@@ -98,6 +98,15 @@ pub fn fraction(x: &Rational) -> String {
     x.to_string()
 }
 
+/// [`fraction`], powers of ten below 1 as `10^-m`.
+pub fn in_short(x: &Rational) -> String {
+    let text = x.denom().to_string();
+    match text.strip_prefix('1').filter(|z| !z.is_empty() && z.bytes().all(|b| b == b'0')) {
+        Some(zeros) if x.numer().is_one() => format!("10^-{}", zeros.len()),
+        _ => fraction(x),
+    }
+}
+
 /// The decimal with `digits` places after the point, rounded half to even.
 pub fn decimal_string(x: &Rational, digits: usize) -> String {
     quotient_decimal(x.numer(), x.denom(), digits)

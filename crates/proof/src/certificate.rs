@@ -128,13 +128,16 @@ pub fn judged(certificate: &Value) -> Result<String> {
     match cordon_check::check(&certificate.to_string()) {
         Verdict::Valid { claim, .. } => Ok(claim),
         // What is written here is in the format: only its size can be at fault.
-        Verdict::Unreadable { reason } | Verdict::Invalid { rule: "work", reason, .. } => {
-            Err(Error::input(format!(
-                "what was found is beyond the limits of the independent checker: {reason}"
-            )))
-        }
+        Verdict::Unreadable { reason } => Err(beyond(&reason)),
+        Verdict::Invalid { rule: "work", .. } => Err(beyond(
+            "it takes more work than a file is allowed: fewer drones, steps or digits take less",
+        )),
         verdict @ Verdict::Invalid { .. } => Err(Error::Rejected(verdict.to_string())),
     }
+}
+
+fn beyond(limit: &str) -> Error {
+    Error::input(format!("what was found is beyond the limits of the independent checker: {limit}"))
 }
 
 /// Writes a certificate to `folder/name.json`, creating the folder, and returns the path.

@@ -8,7 +8,7 @@ use cordon_spec::theorems::Form;
 use super::super::select::FormArg;
 
 use cordon_core::files::{self, Limit};
-use cordon_core::{Error, Outcome, Result, range};
+use cordon_core::{Error, Outcome, Result, progress, range};
 use cordon_proof::export::conjecture::Conjecture;
 use cordon_proof::export::smt_model::{Model, Replay, Response, read_answer, replay};
 use cordon_proof::export::smt2::{
@@ -66,11 +66,13 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
 /// All queries in one script; `(reset)` makes each independent of those before.
 fn script(queries: &[Query]) -> String {
     let mut text = String::new();
+    progress::expect(queries.len() as u64);
     for (n, query) in queries.iter().enumerate() {
         if n > 0 {
             text.push_str("(reset)\n\n");
         }
         text.push_str(&query.text());
+        progress::advance(1);
     }
     text
 }

@@ -20,12 +20,18 @@ use cordon_core::linear::feasible::{Constraint, Sign};
 use cordon_core::{Error, Rational, Result, progress};
 
 /// Most delay patterns at one number of drones and one weight.
-const MOST_PATTERNS: usize = 100_000;
+pub const MOST_PATTERNS: usize = 100_000;
 
 /// The links of which the delay matters: from internal drone to internal neighbour, as
 /// (who sees, who is seen). The end drones do not move.
 fn links(count: usize) -> Vec<(usize, usize)> {
     (1..count.saturating_sub(2)).flat_map(|i| [(i, i + 1), (i + 1, i)]).collect()
+}
+
+/// How many patterns of delays up to `longest` steps so many drones have.
+pub fn number_of_patterns(count: usize, longest: usize) -> usize {
+    let each = |patterns: usize, _| patterns.saturating_mul(longest.saturating_add(1));
+    (0..links(count).len()).fold(1, each)
 }
 
 /// Searches over all delays up to `longest` steps.

@@ -60,6 +60,14 @@ impl SearchSpace {
         weights.sum::<usize>() as u64 * self.pieces_of_one()
     }
 
+    /// Whether its search takes longer than some seconds, as a rule: conclusions that are no
+    /// conjunctions of comparisons are decided by trying combinations.
+    pub fn is_long(&self) -> bool {
+        let most = self.drones.iter().max().copied().unwrap_or_default();
+        let combined = !is_conjunction(self.theorem) && self.theorem != Theorem::Limit;
+        (combined && most > 11) || self.pieces() > 100_000
+    }
+
     fn pieces_of_one(&self) -> u64 {
         self.steps as u64 + 2
     }

@@ -105,6 +105,20 @@ fn records_of_the_repository_meet_their_schemas() {
     }
 }
 
+#[test]
+fn protocol_files_meet_their_schema() {
+    let mut files = 0;
+    for path in fs::read_dir("scenarios/own").unwrap().map(|e| e.unwrap().path()) {
+        if path.extension().is_some_and(|e| e == "toml") {
+            let page: toml::Value = toml::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
+            let page = serde_json::to_value(page).unwrap();
+            meets("cordon-protocol/1", &page, &path.display().to_string());
+            files += 1;
+        }
+    }
+    assert!(files >= 5, "{files}");
+}
+
 /// Of every kind, by whichever command wrote it; and what is no certificate meets no schema.
 #[test]
 fn certificates_meet_their_schema() {
@@ -143,6 +157,7 @@ fn certificates_meet_their_schema() {
         "contraction",
         "growth",
         "invariance",
+        "quadratic",
         "refutation",
         "refutation, activation",
         "refutation, delay",
@@ -158,11 +173,13 @@ fn every_schema_is_read_by_a_test() {
     let files = fs::read_dir("schemas").unwrap();
     let names: Vec<_> = files.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
     // 14 that are printed, 3 that are written, 2 records, certificates, the state of an FMU
-    // (fmu.rs), 3 of `cargo xtask` (xtask/tests/schemas.rs); and the page about them.
-    assert_eq!(names.len(), 14 + 3 + 2 + 1 + 1 + 3 + 1, "{names:?}");
+    // (fmu.rs), 3 of `cargo xtask` (xtask/tests/schemas.rs), protocol files; and the page about
+    // them.
+    assert_eq!(names.len(), 14 + 3 + 2 + 1 + 1 + 3 + 1 + 1, "{names:?}");
     for name in names.iter().filter(|n| n.ends_with(".json")) {
         let schema = parsed(&fs::read_to_string(format!("schemas/{name}")).unwrap());
         assert_eq!(path_of(schema["title"].as_str().unwrap()), PathBuf::from("schemas").join(name));
-        assert!(schema["description"].as_str().unwrap().contains("Written by `"), "{name}");
+        let about = schema["description"].as_str().unwrap();
+        assert!(about.contains("Written by `") || about.contains("Read by `"), "{name}");
     }
 }

@@ -4,6 +4,7 @@
 pub mod affine;
 pub mod enclosure;
 pub mod feasible;
+pub mod matrix;
 pub mod perron;
 pub mod rows;
 pub mod simplest;

@@ -7,6 +7,7 @@ use num_traits::One;
 use serde_json::{Value, json};
 
 use super::select::OutputFormat;
+use super::separation::threshold::{self as separation, LoopArgs};
 use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::{Evidence, Outcome, Rational, Result};
 use cordon_proof::certificate::{self, REJECTED};
@@ -20,12 +21,14 @@ pub struct Args {
     /// The property whose critical weight is wanted
     #[arg(long, value_enum)]
     property: Property,
-    /// Number of drones, 3 to 1000
-    #[arg(long, value_name = "N")]
-    drones: usize,
-    /// Decimal places of the bracket, 1 to 1000
-    #[arg(long, value_name = "D", default_value_t = 10)]
-    digits: usize,
+    /// Number of drones, 3 to 1000 (not for separation, which is the same for all numbers)
+    #[arg(long, value_name = "N", required_if_eq_any(OF_DRONES))]
+    drones: Option<usize>,
+    /// Decimal places of the bracket, 1 to 1000 [default: 10; separation: 1 to 4, 2]
+    #[arg(long, value_name = "D")]
+    digits: Option<usize>,
+    #[command(flatten)]
+    flight: LoopArgs,
     /// Folder for the certificates of both sides
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -42,7 +45,13 @@ enum Property {
     Bound,
     /// Theorem 7.8: every drone converges to its target
     Convergence,
+    /// Drones in flight keep the smallest gap: the critical gain lambda_P
+    Separation,
 }
+
+/// The properties of the protocol alone.
+const OF_DRONES: [(&str, &str); 3] =
+    [("property", "ordering"), ("property", "bound"), ("property", "convergence")];
 
 impl Property {
     fn name(self) -> &'static str {
@@ -50,6 +59,7 @@ impl Property {
             Self::Ordering => "ordering",
             Self::Bound => "bound",
             Self::Convergence => "convergence",
+            Self::Separation => "separation",
         }
     }
 }
@@ -62,22 +72,28 @@ type Named = (String, Value);
 
 /// Finds the critical weight.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    check_size(args.drones, args.digits)?;
+    if args.property != Property::Separation {
+        check_size(args.count(), args.places())?;
+    }
     match args.property {
         Property::Ordering => keep(args, Cone::PositiveGaps, out),
         Property::Bound => keep(args, Cone::NonnegativeErrors, out),
         Property::Convergence => converge(args, out),
+        Property::Separation => {
+            let folder = args.out.as_deref();
+            separation::run(&args.flight, args.digits, folder, args.format, out)
+        }
     }
 }
 
 fn keep(args: &Args, cone: Cone, out: &mut dyn Write) -> Result<Outcome> {
-    let Some(found) = safety::critical(cone, args.drones, args.digits) else {
+    let Some(found) = safety::critical(cone, args.count(), args.places()) else {
         return not_found(out);
     };
     let mut certificates = Vec::new();
     for (side, eps) in [("at-0", &num_traits::Zero::zero()), ("below", &found.critical)] {
         certificates.extend(
-            invariance::certificate(cone, args.drones, eps).map(|c| (args.file_name(side), c)),
+            invariance::certificate(cone, args.count(), eps).map(|c| (args.file_name(side), c)),
         );
     }
     certificates.push((args.file_name("above"), certificate::refutation(&found.above)));
@@ -88,13 +104,13 @@ fn keep(args: &Args, cone: Cone, out: &mut dyn Write) -> Result<Outcome> {
     match args.format {
         OutputFormat::Text => {
             keep_text(args, &found, out)?;
-            writeln!(out, "{}", certified(certificates.len(), args.drones))?;
+            writeln!(out, "{}", certified(certificates.len(), args.count()))?;
         }
         OutputFormat::Json => {
             let page = json!({
                 "schema": "cordon-threshold/1",
                 "property": args.property.name(),
-                "drones": args.drones,
+                "drones": args.count(),
                 "critical": fraction(&found.critical),
                 "exact": true,
                 "holds_at_critical": true,
@@ -127,7 +143,7 @@ fn keep_text(args: &Args, found: &Critical, out: &mut dyn Write) -> Result<()> {
         Cone::NonnegativeErrors => ("not beyond its targets", "error"),
     };
     let [constant, slope] = &found.witness.coefficients;
-    let (name, n) = (args.property.name(), args.drones);
+    let (name, n) = (args.property.name(), args.count());
     writeln!(out, "{name} ({}), N = {n}: critical weight {critical} exactly", theorem.number())?;
     writeln!(
         out,
@@ -166,16 +182,16 @@ fn affine_text(constant: &str, slope: &str) -> String {
 }
 
 fn converge(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    let Some(found) = convergence::bracket(args.drones, args.digits) else {
+    let Some(found) = convergence::bracket(args.count(), args.places()) else {
         return not_found(out);
     };
     let w = &found.vector.weights;
     let certificates = [
         (
             args.file_name("below"),
-            certificate::contraction(args.drones, &found.below, &found.rate, w),
+            certificate::contraction(args.count(), &found.below, &found.rate, w),
         ),
-        (args.file_name("above"), certificate::growth(args.drones, &found.above, w)),
+        (args.file_name("above"), certificate::growth(args.count(), &found.above, w)),
     ];
     let Some(files) = judged_and_written(args, &certificates)? else {
         writeln!(out, "{REJECTED}")?;
@@ -190,8 +206,8 @@ fn converge(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             let page = json!({
                 "schema": "cordon-threshold/1",
                 "property": args.property.name(),
-                "drones": args.drones,
-                "digits": args.digits,
+                "drones": args.count(),
+                "digits": args.places(),
                 "critical": found.exact.as_ref().map(fraction),
                 "exact": found.exact.is_some(),
                 "holds_at_critical": false,
@@ -207,8 +223,8 @@ fn converge(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
 }
 
 fn converge_text(args: &Args, found: &Bracket, out: &mut dyn Write) -> Result<()> {
-    let n = args.drones;
-    let below = decimal_string(&found.below, args.digits);
+    let n = args.count();
+    let below = decimal_string(&found.below, args.places());
     match &found.exact {
         Some(exact) => writeln!(
             out,
@@ -218,12 +234,12 @@ fn converge_text(args: &Args, found: &Bracket, out: &mut dyn Write) -> Result<()
         None => writeln!(
             out,
             "convergence (7.8), N = {n}: critical weight {below}... ({} places, not rounded)",
-            args.digits
+            args.places()
         )?,
     }
     let above = match &found.exact {
         Some(exact) => fraction(exact),
-        None => decimal_string(&found.above, args.digits),
+        None => decimal_string(&found.above, args.places()),
     };
     writeln!(
         out,
@@ -258,8 +274,16 @@ fn short(unit: &Rational) -> String {
 }
 
 impl Args {
+    fn count(&self) -> usize {
+        self.drones.unwrap_or_default()
+    }
+
+    fn places(&self) -> usize {
+        self.digits.unwrap_or(10)
+    }
+
     fn file_name(&self, side: &str) -> String {
-        format!("{}-{}-{side}", self.property.name(), self.drones)
+        format!("{}-{}-{side}", self.property.name(), self.count())
     }
 }
 

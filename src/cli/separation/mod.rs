@@ -147,19 +147,18 @@ fn judged(swarm: &Cosimulation, wind: Option<Rational>) -> Result<Option<Judged<
     let kept = gaps::kept(swarm.count(), eps, swarm.order.is_some());
     let mut evidence = Evidence::Certified;
     if kept {
-        match smallest_gap(&swarm.scenario.start, eps, &smallest.size, update) {
-            Some(page) => certificates.push(("desired".to_owned(), page)),
-            None => evidence = Evidence::Inductive,
-        }
+        let page = smallest_gap(&swarm.scenario.start, eps, &smallest.size, update);
+        push(&mut certificates, "desired", page, &mut evidence);
     }
     let flight = match decide(&response) {
         Finding::NonNegative(cone) => {
-            certificates.push(("response".to_owned(), nonnegative(&response, &cone)));
+            push(&mut certificates, "response", nonnegative(&response, &cone), &mut evidence);
             Flight::Convex(cone)
         }
         Finding::Negative(sample) if wind.is_none() => match negative_mass(&response) {
             Some(mass) => {
-                certificates.push(("tail".to_owned(), nonnegative(&mass.bounded, &mass.cone)));
+                let page = nonnegative(&mass.bounded, &mass.cone);
+                push(&mut certificates, "tail", page, &mut evidence);
                 evidence = Evidence::Inductive;
                 Flight::Partly(sample, Box::new(mass))
             }
@@ -198,6 +197,14 @@ fn judged(swarm: &Cosimulation, wind: Option<Rational>) -> Result<Option<Judged<
         certificates: count,
     };
     Ok(Some(Judged { report, certificates }))
+}
+
+/// Adds a certificate. Where there is none, what was found was judged exactly, by the search alone.
+fn push(all: &mut Vec<(String, Value)>, name: &str, page: Option<Value>, evidence: &mut Evidence) {
+    match page {
+        Some(page) => all.push((name.to_owned(), page)),
+        None => *evidence = Evidence::Inductive,
+    }
 }
 
 fn tuning(swarm: &Cosimulation) -> Tuning {

@@ -12,9 +12,8 @@ use cordon_core::{Error, Evidence, Outcome, Rational, Result};
 use cordon_cosim::closed_loop::{ClosedLoop, Tuning};
 use cordon_cosim::master::Algorithm;
 use cordon_cosim::plant::Integrator;
-use cordon_proof::certificate::{self, REJECTED};
-use cordon_proof::separation::{negative, nonnegative};
-use cordon_proof::threshold::separation::{Bracket, bracket};
+use cordon_proof::certificate;
+use cordon_proof::threshold::separation::{Bracket, Side, bracket};
 use num_traits::Signed;
 
 /// The flags of a gain's threshold.
@@ -37,6 +36,9 @@ pub struct LoopArgs {
 /// Decimal places of the bracket without `--digits`, and the most.
 const DIGITS: usize = 2;
 const MOST_DIGITS: usize = 4;
+
+/// Decimal places of a sample.
+const VALUE_PLACES: usize = 15;
 
 impl LoopArgs {
     fn tuning(&self) -> Result<Tuning> {
@@ -85,21 +87,15 @@ pub(in crate::cli) fn run(
         let tuned = Tuning { lambda_p: gain.clone(), ..tuning.clone() };
         Ok(response(&ClosedLoop::of(&tuned)?, false))
     })?;
-    let mut certificates = Vec::new();
-    if let Some((_, response, cone)) = &found.below {
-        certificates.push(("separation-below", nonnegative(response, cone)));
-    }
-    if let Some((_, response, sample)) = &found.above {
-        certificates.push(("separation-above", negative(response, sample)));
-    }
-    if !certificates.iter().all(|(_, page)| certificate::accepted(page)) {
-        writeln!(out, "{REJECTED}")?;
-        return Ok(Outcome::Rejected);
-    }
+    let pages = [
+        ("separation-below", found.below.as_ref().map(|side| &side.certificate)),
+        ("separation-above", found.above.as_ref().map(|side| &side.certificate)),
+    ];
     let mut files = Vec::new();
-    for (name, page) in certificates.iter().filter(|_| folder.is_some()) {
-        let folder = folder.unwrap_or(Path::new(""));
-        files.push(certificate::write(folder, name, page)?.display().to_string());
+    if let Some(folder) = folder {
+        for (name, page) in pages.iter().filter_map(|(name, page)| Some((name, (*page)?))) {
+            files.push(certificate::write(folder, name, page)?.display().to_string());
+        }
     }
     match format {
         OutputFormat::Text => text(&tuning, digits, &found, &files, out)?,
@@ -125,7 +121,7 @@ fn text(
         tuning.algorithm.name()
     )?;
     match &found.below {
-        Some((gain, _, cone)) => writeln!(
+        Some(Side { gain, found: cone, .. }) => writeln!(
             out,
             "  below  at lambda_P = {} no sample of the response is negative: a cone of {} rows, entered after {} steps",
             decimal_string(gain, digits),
@@ -137,12 +133,12 @@ fn text(
         }
     }
     match &found.above {
-        Some((gain, _, sample)) => writeln!(
+        Some(Side { gain, found: sample, .. }) => writeln!(
             out,
             "  above  at lambda_P = {} the response is negative after {} steps: {}",
             decimal_string(gain, digits),
             sample.step,
-            decimal_string(&sample.value, 12)
+            decimal_string(&sample.value, VALUE_PLACES)
         )?,
         None => writeln!(out, "  above  no gain was found at which a sample is negative")?,
     }
@@ -165,17 +161,17 @@ fn as_json(tuning: &Tuning, digits: usize, found: &Bracket, files: &[String]) ->
         "digits": digits,
         "critical": null,
         "exact": false,
-        "below": found.below.as_ref().map(|(gain, _, cone)| json!({
-            "lambda_p": fraction(gain),
+        "below": found.below.as_ref().map(|side| json!({
+            "lambda_p": fraction(&side.gain),
             "evidence": Evidence::Certified,
-            "rows": cone.rows.len(),
-            "entered": cone.entered,
+            "rows": side.found.rows.len(),
+            "entered": side.found.entered,
         })),
-        "above": found.above.as_ref().map(|(gain, _, sample)| json!({
-            "lambda_p": fraction(gain),
+        "above": found.above.as_ref().map(|side| json!({
+            "lambda_p": fraction(&side.gain),
             "evidence": Evidence::Certified,
-            "step": sample.step,
-            "value": fraction(&sample.value),
+            "step": side.found.step,
+            "value": decimal_string(&side.found.value, VALUE_PLACES),
         })),
         "files": files,
     })

@@ -1,22 +1,32 @@
 //! The largest gain with which drones in flight keep their gaps, from both sides: a cone below,
 //! a negative sample of the response above.
 
-use std::collections::BTreeMap;
-
 use cordon_core::{Rational, Result};
 use num_bigint::BigInt;
 use num_traits::Pow;
+use serde_json::Value;
 
 use crate::certificate::accepted;
 use crate::separation::{Cone, Finding, Negative, Response, decide, negative, nonnegative};
 
+/// A gain with what was found there, and its certificate.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Side<T> {
+    /// The gain.
+    pub gain: Rational,
+    /// What was found.
+    pub found: T,
+    /// What the independent checker has accepted.
+    pub certificate: Value,
+}
+
 /// What was found of gains that are multiples of 10^-digits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Bracket {
-    /// The largest one for which a cone was found, with the response.
-    pub below: Option<(Rational, Response, Cone)>,
-    /// The smallest one above for which a sample is negative.
-    pub above: Option<(Rational, Response, Negative)>,
+    /// The largest one for which a cone was found.
+    pub below: Option<Side<Cone>>,
+    /// The smallest one for which a sample is negative.
+    pub above: Option<Side<Negative>>,
 }
 
 /// The bracket among gains up to `most`. `respond` has the response with a gain: its readouts are
@@ -33,37 +43,47 @@ pub fn bracket(
     respond: impl Fn(&Rational) -> Result<Response>,
 ) -> Result<Bracket> {
     let unit = Rational::from_integer(BigInt::from(10).pow(digits)).recip();
-    let gain = |n: &BigInt| Rational::from_integer(n.clone()) * &unit;
     let last = (most / &unit).floor().to_integer();
-    let mut cones: BTreeMap<BigInt, (Rational, Response, Cone)> = BTreeMap::new();
+    // From one side what was found there, from the other nothing.
+    let mut below = None;
     let (mut lo, mut hi) = (BigInt::from(0), last.clone() + 1);
     while &hi - &lo > BigInt::from(1) {
-        let middle = (&lo + &hi) / 2;
-        let response = respond(&gain(&middle))?;
-        match decide(&response) {
-            // A certificate beyond what the checker reads is none.
-            Finding::NonNegative(cone) if accepted(&nonnegative(&response, &cone)) => {
-                cones.insert(middle.clone(), (gain(&middle), response, cone));
+        let middle: BigInt = (&lo + &hi) / 2;
+        let gain = Rational::from_integer(middle.clone()) * &unit;
+        match kept(&respond(&gain)?) {
+            Some((found, certificate)) => {
+                below = Some(Side { gain, found, certificate });
                 lo = middle;
             }
-            _ => hi = middle,
+            None => hi = middle,
         }
     }
-    let below = cones.remove(&lo);
-    let mut samples: BTreeMap<BigInt, (Rational, Response, Negative)> = BTreeMap::new();
+    let mut above = None;
     hi = last + 1;
     while &hi - &lo > BigInt::from(1) {
-        let middle = (&lo + &hi) / 2;
-        let mut response = respond(&gain(&middle))?;
-        response.readouts.truncate(1);
-        response.starts.truncate(1);
-        match decide(&response) {
-            Finding::Negative(sample) if accepted(&negative(&response, &sample)) => {
-                samples.insert(middle.clone(), (gain(&middle), response, sample));
+        let middle: BigInt = (&lo + &hi) / 2;
+        let gain = Rational::from_integer(middle.clone()) * &unit;
+        match lost(respond(&gain)?) {
+            Some((found, certificate)) => {
+                above = Some(Side { gain, found, certificate });
                 hi = middle;
             }
-            _ => lo = middle,
+            None => lo = middle,
         }
     }
-    Ok(Bracket { below, above: samples.remove(&hi) })
+    Ok(Bracket { below, above })
+}
+
+fn kept(response: &Response) -> Option<(Cone, Value)> {
+    let Finding::NonNegative(cone) = decide(response) else { return None };
+    let page = nonnegative(response, &cone).filter(accepted)?;
+    Some((cone, page))
+}
+
+fn lost(mut response: Response) -> Option<(Negative, Value)> {
+    response.readouts.truncate(1);
+    response.starts.truncate(1);
+    let Finding::Negative(sample) = decide(&response) else { return None };
+    let page = negative(&response, &sample).filter(accepted)?;
+    Some((sample, page))
 }

@@ -13,7 +13,7 @@ pub fn command() -> Command {
 }
 
 /// Examples and limits, by the words of the command.
-const EXAMPLES: [(&str, &str); 22] = [
+const EXAMPLES: [(&str, &str); 23] = [
     (
         "trace",
         "Examples:
@@ -46,6 +46,14 @@ Limits: 3 to 100,000,000 drones, 1,000,000,000,000 drone updates.",
   cordon cosim scenarios/paper.toml --format csv | head
 
 Limits: 67,108,864 positions in one run, 10,000,000,000 steps.",
+    ),
+    (
+        "separation",
+        "Examples:
+  cordon separation scenarios/paper.toml
+  cordon separation scenarios/paper.toml --wind 1/4 --integrator exact
+
+Limits: coverage without faults or FMUs; certificates of desired positions for up to 198 drones.",
     ),
     (
         "figures",
@@ -107,8 +115,9 @@ Exit codes: 0 all valid, 2 no certificate, 3 incomplete, 4 rejected, 74 not read
     ),
     (
         "threshold",
-        "Example:
-  cordon threshold --property convergence --drones 5 --digits 20",
+        "Examples:
+  cordon threshold --property convergence --drones 5 --digits 20
+  cordon threshold --property separation --lambda-a 4 --tau 0.05",
     ),
     (
         "settle",

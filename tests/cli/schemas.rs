@@ -84,6 +84,10 @@ fn what_commands_print_meets_its_schema() {
         "theorems",
         "threshold --property ordering --drones 5",
         "threshold --property convergence --drones 5",
+        "threshold --property separation --digits 1",
+        "separation scenarios/paper.toml",
+        "separation scenarios/paper.toml --wind 1/2",
+        "separation scenarios/paper-unstable.toml",
         "check proofs/certificates/7.2-sharp.json Cargo.toml no-such-file",
         "cosim scenarios/paper.toml --duration 1",
         "cosim scenarios/paper-unstable.toml --duration 15",
@@ -98,7 +102,7 @@ fn what_commands_print_meets_its_schema() {
     }
     formats.sort();
     formats.dedup();
-    assert_eq!(formats.len(), 14, "{formats:?}");
+    assert_eq!(formats.len(), 15, "{formats:?}");
 }
 
 fn first_own_protocol() -> String {

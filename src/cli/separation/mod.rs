@@ -102,20 +102,27 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     })
 }
 
+/// The gap that no two drones fall below, where `cordon separation` finds one at once: where the
+/// response is never negative.
+pub(super) fn known_gap(swarm: &Cosimulation) -> Option<Rational> {
+    let one_by_one = swarm.order.is_some();
+    if applies(swarm).is_err() || !gaps::kept(swarm.count(), &swarm.scenario.weight, one_by_one) {
+        return None;
+    }
+    let response = response(&ClosedLoop::of(&tuning(swarm)).ok()?, false);
+    let Finding::NonNegative(_) = decide(&response) else { return None };
+    let (smallest, _) = smallest(&swarm.scenario.start, &swarm.start);
+    Some(smallest.size).filter(Signed::is_positive)
+}
+
 /// Refuses what nothing is known about.
 fn applies(swarm: &Cosimulation) -> Result<()> {
-    let Protocol::Coverage { min, max } = &swarm.scenario.protocol else {
+    let Protocol::Coverage { .. } = &swarm.scenario.protocol else {
         return Err(Error::input(format!(
             "protocol: `{}`: expected `coverage`: only there the smallest gap never falls",
             swarm.scenario.protocol.name()
         )));
     };
-    let start = &swarm.scenario.start;
-    if start.first() != Some(min) || start.last() != Some(max) {
-        return Err(Error::input(format!(
-            "start: expected the end drones at the ends of the segment, `{min}` and `{max}`"
-        )));
-    }
     if let Some(unit) = swarm.units.first() {
         return Err(Error::input(format!(
             "unit: `{}`: expected units of this program: drones that differ are no one linear system",

@@ -147,7 +147,8 @@ fn flight(report: &Report<'_>, out: &mut dyn Write) -> Result<()> {
 pub(super) fn json(report: &Report<'_>) -> Value {
     let swarm = report.swarm;
     let certified = report.gap.as_ref().filter(|gap| gap.is_positive());
-    let sample = |step: usize, value: &Rational| json!({ "step": step, "value": fraction(value) });
+    let sample =
+        |step: usize, value: &Rational| json!({ "step": step, "value": decimal_string(value, 15) });
     let response = match &report.flight {
         Flight::Convex(cone) => json!({
             "nonnegative": true,

@@ -43,8 +43,11 @@ SYSTEM = {
     "protocol": "text", "steps": "text", "starts?": HYPOTHESIS, "drones?": "u32",
     "weights?": {"of?": HYPOTHESIS, "from?": "number", "to?": "number"},
 }
+FAMILY = {
+    "topology": "text", "state": ["text"], "parameters?": {"*": {"from?": "number", "to?": "number"}}, "rules": {"*": {"*": "text"}}, "drones?": "u32",
+}
 STATEMENT = {
-    "system": SYSTEM, "constants?": {"*": "sort"}, "definitions?": [DEFINITION], "assumptions?": [CLAUSE], "conclusions": [CLAUSE],
+    "system?": SYSTEM, "family?": FAMILY, "constants?": {"*": "sort"}, "definitions?": [DEFINITION], "assumptions?": [CLAUSE], "conclusions": [CLAUSE],
 }
 POSITIVITY = {
     "use?": [{"name": "text", "lemma": "text", "with?": {"*": "text"}, "given?": {"*": "text"}}], "times?": ["text"], "sum": "text",
@@ -183,8 +186,12 @@ def var(name):
     return atom(("var", name))
 
 
+def key(p):
+    return tuple(sorted(p.items()))
+
+
 def app(name, *terms):
-    return atom(("app", name, tuple(tuple(sorted(t.items())) for t in terms)))
+    return atom(("app", name, tuple(key(t) for t in terms)))
 
 
 def sub(p, value):
@@ -488,24 +495,60 @@ def hypothesis(h):
     return WEIGHTS[h["theorem"]][form], STARTS.get(h["theorem"], ("segment", "bounded"))[form]
 
 
-def install(kernel, s):
+def sized(kernel, n):
+    """N, or one N. Gives what reads a clause of integers from text and learns it."""
     def learn(name, variables, given, goal):
         given = [dict(zip(("name", "holds"), g.split(": "))) for g in given.split("; ") if g]
         variables = [{"name": v, "sort": "integer"} for v in variables.split()]
-        kernel.lemmas[name] = kernel_clause({"for": variables, "given": given, "goal": goal})
-    kernel_clause = kernel.clause
-    n, protocol, steps = s.get("drones"), s["protocol"], s["steps"]
+        kernel.learn(name, kernel.clause({"for": variables, "given": given, "goal": goal}))
     if n is not None and n < 3:
         raise Invalid("system", f"{n} drones: expected 3 or more")
-    if (protocol, steps) not in {("coverage", "full"), ("coverage", "activation"), ("coverage", "delay"), ("consensus", "full"), ("projection", "full")}:
-        raise Invalid("system", "no such protocol")
     kernel.last = var("last") if n is None else const(n - 1)
-    kernel.constants["eps"] = "real"
     if n is None:
         kernel.constants["last"] = "integer"
-    kernel.functions["x"] = 2, "real"
     learn("n", "", "", "last - 2 >= 0")
     learn("last", "", "", "last > 0")
+    return learn
+
+
+def family(kernel, f):
+    learn = sized(kernel, f.get("drones"))
+    for name, ends in sorted(f.get("parameters", {}).items()):
+        kernel.constants[kernel.fresh(name)] = "real"
+        for end, sign in (("from", 1), ("to", -1)):
+            if end in ends:
+                bound = add(mul(const(sign), var(name)), const(sign * ends[end]), -1)
+                kernel.learn(f"{name}.{end}", ({}, {}, (bound, NONNEGATIVE)))
+    for name in f["state"]:
+        kernel.functions[kernel.fresh(name)] = 2, "real"
+    ring, i, integers = f["topology"] == "ring", var("i"), {"k": "integer", "i": "integer"}
+    classes = {"all"} if ring else {"first", "inner", "last"}
+    if f["topology"] not in ("line", "ring") or set(f["rules"]) != classes or any(v not in f["state"] for r in f["rules"].values() for v in r):
+        raise Invalid("system", "no such topology, classes or variables")
+    for c, own, before, beyond in (("first", {}, kernel.last if ring else None, const(1)), ("inner", i, add(i, const(-1)), add(i, const(1))),
+                                   ("last", kernel.last, add(kernel.last, const(-1)), {} if ring else None)):
+        places = {key(add(i, const(o))): at for o, at in ((-1, before), (0, own), (1, beyond)) if at is not None}
+        for name in f["state"]:
+            rule = kernel.poly(f["rules"]["all" if ring else c].get(name, f"{name}(k,i)"), integers)
+
+            def at(a):
+                if a[0] == "app":
+                    if a[2][0] != key(var("k")) or a[2][1] not in places:
+                        raise Invalid("system", "another agent or step")
+                    return app(a[1], var("k"), places[a[2][1]])
+                return own if a == ("var", "i") else None
+            goal = add(app(name, add(var("k"), const(1)), own), sub(rule, at), -1)
+            given = {g.split(":")[0]: kernel.literal(g.split(": ")[1], integers) for g in (INNER if c == "inner" else "k: k >= 0").split("; ")}
+            kernel.learn(f"step.{name}.{c}", ({v: "integer" for v in (("k", "i") if c == "inner" else ("k",))}, given, (goal, ZERO)))
+
+
+def install(kernel, s):
+    protocol, steps = s["protocol"], s["steps"]
+    if (protocol, steps) not in {("coverage", "full"), ("coverage", "activation"), ("coverage", "delay"), ("consensus", "full"), ("projection", "full")}:
+        raise Invalid("system", "no such protocol")
+    learn = sized(kernel, s.get("drones"))
+    kernel.constants["eps"] = "real"
+    kernel.functions["x"] = 2, "real"
     if protocol != "consensus":
         kernel.constants.update(min="real", max="real")
         learn("segment", "", "", "max - min > 0")
@@ -574,7 +617,9 @@ def install(kernel, s):
 
 def theorem(t):
     kernel, s, proof = Kernel(), t["statement"], t["proof"]
-    install(kernel, s["system"])
+    if ("system" in s) == ("family" in s):
+        raise Invalid("system", "`system` or `family` is expected")
+    install(kernel, s["system"]) if "system" in s else family(kernel, s["family"])
     for name, sort in sorted(s.get("constants", {}).items()):
         kernel.constants[kernel.fresh(name)] = sort
     for d in s.get("definitions", []):

@@ -4,6 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod any_size;
 mod cosim_faults;
 mod cosim_master;
 mod cosim_runs;

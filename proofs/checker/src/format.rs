@@ -116,8 +116,12 @@ objects! {
     }
     /// What is proved: of every run of the system that the assumptions hold of, the conclusions do.
     Statement {
-        /// What runs.
-        system: System,
+        /// What runs, if it is of the spec.
+        #[serde(default, deserialize_with = "present")]
+        system: Option<System>,
+        /// What runs, if it is a user's.
+        #[serde(default, deserialize_with = "present")]
+        family: Option<Family>,
         /// Constants: every value of their sort is spoken of.
         #[serde(default)]
         constants: Named<Sort>,
@@ -145,6 +149,30 @@ objects! {
         /// One N in the place of every N >= 3.
         #[serde(default, deserialize_with = "present")]
         drones: Option<u32>,
+    }
+    /// A user's protocol of any number of agents.
+    Family {
+        /// `line` or `ring`.
+        topology: String,
+        /// The variables that each agent has.
+        state: Vec<String>,
+        /// Constants, the same in all steps, with the ends of their ranges.
+        #[serde(default)]
+        parameters: Named<Range>,
+        /// For each class of agents what its variables are after a step; those left out keep their values.
+        rules: Named<Named<String>>,
+        /// One N in the place of every N >= 3.
+        #[serde(default, deserialize_with = "present")]
+        drones: Option<u32>,
+    }
+    /// A closed range, without an end where nothing is given.
+    Range {
+        /// At least this.
+        #[serde(default, deserialize_with = "present")]
+        from: Option<Number>,
+        /// At most this.
+        #[serde(default, deserialize_with = "present")]
+        to: Option<Number>,
     }
     /// A theorem's hypothesis.
     Hypothesis {

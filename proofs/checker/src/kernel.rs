@@ -144,7 +144,11 @@ impl Kernel {
         Ok(Clause { vars, given, goal })
     }
 
-    fn poly(&self, text: &str, vars: &Vars, facts: bool) -> Result<Poly> {
+    /// Reads a polynomial.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn poly(&self, text: &str, vars: &Vars, facts: bool) -> Result<Poly> {
         self.signature.poly(text, vars, facts).or_else(|reason| fault("expression", reason))
     }
 

@@ -113,7 +113,11 @@ fn theorem(t: &Theorem) -> (&str, Result<(String, usize), Fault>) {
 
 fn prove<'t>(t: &'t Theorem, step: &mut &'t str) -> Result<(String, usize), Fault> {
     let (mut kernel, s) = (Kernel::default(), &t.statement);
-    let mut words = vec![system::install(&s.system, &mut kernel)?];
+    let mut words = vec![match (&s.system, &s.family) {
+        (Some(system), None) => system::install(system, &mut kernel)?,
+        (None, Some(family)) => system::family(family, &mut kernel)?,
+        _ => return fault("system", "expected `system`, or `family`"),
+    }];
     for (name, sort) in &s.constants.0 {
         let name = kernel.fresh(name, &Vec::new())?;
         words.push(format!(

@@ -20,7 +20,7 @@ use cordon_spec::{Params, Scalar, State};
 
 use crate::expr::Relation::{self, NonNegative, Positive, Zero};
 use crate::expr::{Literal, Sort};
-use crate::format::{self, System};
+use crate::format::{self, Family, System};
 use crate::kernel::{Clause, Fault, Kernel, fault};
 use crate::poly::{Atom, Poly};
 
@@ -57,6 +57,8 @@ struct Builder<'k> {
     kernel: &'k mut Kernel,
     last: Poly,
     words: Vec<String>,
+    /// How the names of clauses begin that the words are made of.
+    told: &'static [&'static str],
 }
 
 /// Adds the system's constants, functions and clauses; gives its hypothesis in words.
@@ -64,20 +66,10 @@ struct Builder<'k> {
 /// # Errors
 /// What is not known, or contradicts itself.
 pub fn install(system: &System, kernel: &mut Kernel) -> Result<String> {
-    let last = match system.drones {
-        None => var("last"),
-        Some(n @ 3..) => Poly::from_index(n as usize - 1),
-        Some(n) => return fault("system", format!("{n} drones: expected 3 or more")),
-    };
-    kernel.signature.last = Some(last.clone());
-    let mut b = Builder { kernel, last, words: Vec::new() };
+    let mut b = Builder::new(system.drones, kernel)?;
+    b.told = &["weight", "segment", "start", "minor"];
     b.constant("eps", Sort::Real);
-    if system.drones.is_none() {
-        b.constant("last", Sort::Integer);
-    }
     b.function("x", 2, Sort::Real);
-    b.add("n", &[], &[], b.last.clone() - &int(2), NonNegative)?;
-    b.add("last", &[], &[], b.last.clone(), Positive)?;
     if system.protocol != "consensus" {
         b.constant("min", Sort::Real);
         b.constant("max", Sort::Real);
@@ -100,18 +92,110 @@ pub fn install(system: &System, kernel: &mut Kernel) -> Result<String> {
             b.starts(theorem.hypothesis(form).starts)?;
         }
     }
-    let drones = system.drones.map_or("every N >= 3".into(), |n| format!("N = {n}"));
-    let hypothesis = match b.words.as_slice() {
-        [] => String::new(),
-        words => format!("\n  given: {}", words.join("; ")),
-    };
-    Ok(format!(
-        "{} with {} steps, {drones}, last = N - 1{hypothesis}",
-        system.protocol, system.steps
-    ))
+    Ok(b.said(&format!("{} with {} steps", system.protocol, system.steps), system.drones))
 }
 
-impl Builder<'_> {
+/// Adds a user's system: its constants and functions, a range for each constant, and for each class of
+/// agents a clause a variable. A rule speaks of agent i and its neighbours i-1 and i+1 at step k. On a line the first
+/// and the last have one neighbour; on a ring the last is the one before the first, and the rule is the same for all.
+///
+/// # Errors
+/// What is not known, or speaks of other agents.
+pub fn family(f: &Family, kernel: &mut Kernel) -> Result<String> {
+    let mut b = Builder::new(f.drones, kernel)?;
+    b.told = &[""];
+    let none = Vec::new();
+    for (name, range) in &f.parameters.0 {
+        b.kernel.fresh(name, &none)?;
+        b.constant(name, Sort::Real);
+        if let Some(from) = &range.from {
+            let poly = var(name) - &Poly::constant(from.clone());
+            b.add(&format!("{name}.from"), &[], &[], poly, NonNegative)?;
+        }
+        if let Some(to) = &range.to {
+            let poly = Poly::constant(to.clone()) - &var(name);
+            b.add(&format!("{name}.to"), &[], &[], poly, NonNegative)?;
+        }
+    }
+    for name in &f.state {
+        b.kernel.fresh(name, &none)?;
+        b.function(name, 2, Sort::Real);
+    }
+    let ring = match f.topology.as_str() {
+        "line" => false,
+        "ring" => true,
+        _ => return fault("system", "expected `line` or `ring`"),
+    };
+    let classes: &[&str] = if ring { &["all"] } else { &["first", "inner", "last"] };
+    let named =
+        f.rules.0.len() == classes.len() && classes.iter().all(|c| f.rules.0.contains_key(*c));
+    if !named || f.rules.0.values().flat_map(|r| r.0.keys()).any(|v| !f.state.contains(v)) {
+        return fault("system", format!("expected rules for {}, of variables", classes.join(", ")));
+    }
+    let (k, i, last) = (var("k"), var("i"), b.last.clone());
+    let vars = ["k", "i"].map(|v| (v.into(), Sort::Integer)).to_vec();
+    for (class, at) in CLASSES {
+        let own = b.row(at)[at].clone();
+        // Where agent i, and where its neighbours are.
+        let before = if at > 0 { Some(own.clone() - &int(1)) } else { ring.then(|| last.clone()) };
+        let beyond = if at < ROW - 1 { Some(own.clone() + &int(1)) } else { ring.then(|| int(0)) };
+        let places = [
+            (i.clone() - &int(1), before),
+            (i.clone(), Some(own.clone())),
+            (i.clone() + &int(1), beyond),
+        ];
+        for name in &f.state {
+            let rules = f.rules.0.get(if ring { "all" } else { class });
+            let kept = format!("{name}(k,i)");
+            let text = rules.and_then(|r| r.0.get(name)).unwrap_or(&kept);
+            let rule = b.kernel.poly(text, &vars, false)?;
+            let place = |a: &Atom| match a {
+                Atom::App(f, terms) if terms[0] == k => {
+                    let found = places.iter().find(|(written, _)| *written == terms[1])?;
+                    Some(Poly::app(f, &[k.clone(), found.1.clone()?]))
+                }
+                _ => None,
+            };
+            if rule.any(&|a| matches!(a, Atom::App(..)) && place(a).is_none()) {
+                return fault("system", format!("`{text:.60}` speaks of other agents or steps"));
+            }
+            let own_index = |a: &Atom| (*a == Atom::Var("i".into())).then(|| own.clone());
+            let next = rule.substitute(&|a| place(a).or_else(|| own_index(a)));
+            let now = Poly::app(name, &[k.clone() + &int(1), own.clone()]);
+            b.of_class(&format!("step.{name}"), class, now - &next)?;
+        }
+    }
+    Ok(b.said(&format!("agents on a {}", f.topology), f.drones))
+}
+
+impl<'k> Builder<'k> {
+    /// N, or one N, and nothing that runs yet.
+    fn new(drones: Option<u32>, kernel: &'k mut Kernel) -> Result<Self> {
+        let last = match drones {
+            None => var("last"),
+            Some(n @ 3..) => Poly::from_index(n as usize - 1),
+            Some(n) => return fault("system", format!("{n} drones: expected 3 or more")),
+        };
+        kernel.signature.last = Some(last.clone());
+        let mut b = Self { kernel, last, words: Vec::new(), told: &[] };
+        if drones.is_none() {
+            b.constant("last", Sort::Integer);
+        }
+        b.add("n", &[], &[], b.last.clone() - &int(2), NonNegative)?;
+        b.add("last", &[], &[], b.last.clone(), Positive)?;
+        Ok(b)
+    }
+
+    /// The system in words.
+    fn said(&self, what: &str, drones: Option<u32>) -> String {
+        let drones = drones.map_or("every N >= 3".into(), |n| format!("N = {n}"));
+        let hypothesis = match self.words.as_slice() {
+            [] => String::new(),
+            words => format!("\n  given: {}", words.join("; ")),
+        };
+        format!("{what}, {drones}, last = N - 1{hypothesis}")
+    }
+
     fn constant(&mut self, name: &str, sort: Sort) {
         self.kernel.signature.constants.insert(name.into(), sort);
     }
@@ -134,11 +218,7 @@ impl Builder<'_> {
             .map(|(n, p)| ((*n).into(), Literal { poly: p.clone(), relation: NonNegative }));
         let vars = vars.iter().map(|v| ((*v).into(), Sort::Integer)).collect();
         let clause = Clause { vars, given: given.collect(), goal: Literal { poly, relation } };
-        if name.starts_with("weight")
-            || name == "segment"
-            || name.starts_with("start")
-            || name.starts_with("minor")
-        {
+        if self.told.iter().any(|beginning| name.starts_with(beginning)) {
             self.words.push(clause.to_string());
         }
         self.kernel.add(name, clause)
@@ -244,19 +324,20 @@ impl Builder<'_> {
         for (class, at) in CLASSES {
             let row = self.row(at);
             let poly = now(&row[at]) - &next(&row, at)?;
-            let k = ("k", var("k"));
-            let inner = [
-                k.clone(),
-                ("i", var("i") - &int(1)),
-                ("n", self.last.clone() - &var("i") - &int(1)),
-            ];
-            let name = format!("{of}.{class}");
-            match class {
-                "inner" => self.add(&name, &["k", "i"], &inner, poly, Zero)?,
-                _ => self.add(&name, &["k"], &[k], poly, Zero)?,
-            }
+            self.of_class(of, class, poly)?;
         }
         Ok(())
+    }
+
+    /// Adds that a polynomial is 0 for every step k and every drone i of a class.
+    fn of_class(&mut self, of: &str, class: &str, poly: Poly) -> Result<()> {
+        let k = ("k", var("k"));
+        let (low, high) = (var("i") - &int(1), self.last.clone() - &var("i") - &int(1));
+        let name = format!("{of}.{class}");
+        match class {
+            "inner" => self.add(&name, &["k", "i"], &[k, ("i", low), ("n", high)], poly, Zero),
+            _ => self.add(&name, &["k"], &[k], poly, Zero),
+        }
     }
 
     fn coverage(&mut self, steps: &str) -> Result<()> {

@@ -10,11 +10,11 @@ use cordon_check::{Verdict, check};
 use serde_json::Value;
 
 /// How many certificates are committed, and how many clauses they prove.
-const CERTIFICATES: usize = 55;
-const PROVED: usize = 325;
+const CERTIFICATES: usize = 59;
+const PROVED: usize = 344;
 
 /// How many bad ones are.
-const MUST_NOT_PROVE: usize = 288;
+const MUST_NOT_PROVE: usize = 316;
 
 /// Where a file can be rejected (a split cannot fail by itself).
 const RULES: [&str; 14] = [

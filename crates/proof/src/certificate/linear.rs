@@ -5,11 +5,11 @@
 
 use std::collections::BTreeMap;
 
-use num_traits::{One, Signed, Zero};
+use num_traits::Zero;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use super::sealed;
+use super::{add_term, or_zero, sealed};
 use cordon_core::Rational;
 use cordon_core::exact::fraction;
 
@@ -126,24 +126,11 @@ pub fn form<'n>(
     terms: impl IntoIterator<Item = (&'n str, &'n Rational)>,
 ) -> String {
     let mut text = String::new();
-    let mut add = |c: &Rational, name: Option<&str>| {
-        text += match (c.is_negative(), text.is_empty()) {
-            (true, true) => "-",
-            (true, false) => " - ",
-            (false, true) => "",
-            (false, false) => " + ",
-        };
-        text += &match name {
-            Some(name) if c.abs().is_one() => name.to_owned(),
-            Some(name) => format!("{}*{name}", fraction(&c.abs())),
-            None => fraction(&c.abs()),
-        };
-    };
     for (name, c) in terms.into_iter().filter(|(_, c)| !c.is_zero()) {
-        add(c, Some(name));
+        add_term(&mut text, c, &[name]);
     }
     if !constant.is_zero() {
-        add(constant, None);
+        add_term(&mut text, constant, &[]);
     }
-    if text.is_empty() { "0".to_owned() } else { text }
+    or_zero(text)
 }

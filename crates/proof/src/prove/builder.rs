@@ -82,6 +82,8 @@ pub fn clause(name: &str, vars: &str, given: &[&str], goal: &str) -> Value {
 pub struct Sheet {
     /// What runs.
     pub system: Value,
+    /// Whether that is a user's.
+    family: bool,
     constants: Map<String, Value>,
     definitions: Vec<Value>,
     assumptions: Vec<Value>,
@@ -94,6 +96,11 @@ impl Sheet {
     /// A certificate about that system.
     pub fn new(system: Value) -> Self {
         Self { system, ..Self::default() }
+    }
+
+    /// A certificate about a user's system of any size.
+    pub fn of_family(family: Value) -> Self {
+        Self { family: true, ..Self::new(family) }
     }
 
     /// Every value of that sort is spoken of.
@@ -138,7 +145,8 @@ impl Sheet {
     /// What it says.
     pub fn statement(&self) -> Value {
         let mut body = Map::new();
-        body.insert("system".into(), self.system.clone());
+        let key = if self.family { "family" } else { "system" };
+        body.insert(key.into(), self.system.clone());
         if !self.constants.is_empty() {
             body.insert("constants".into(), json!(self.constants));
         }

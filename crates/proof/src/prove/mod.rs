@@ -5,6 +5,7 @@
 //! drones (`invariants`), telescoping sums and fronts (`sums`), contraction (`limit`). The range
 //! of weights and the number of drones are filled in.
 
+pub mod any_size;
 mod builder;
 mod invariants;
 mod lemmas;

@@ -21,6 +21,9 @@ fn short(x: &Rational) -> String {
     decimal_string(&((x * &thousand).floor() / thousand), 3)
 }
 
+/// Decimal places of the negative mass, which has no more.
+const PLACES: usize = 9;
+
 pub(super) fn text(report: &Report<'_>, out: &mut dyn Write) -> Result<()> {
     let swarm = report.swarm;
     writeln!(out, "{}", swarm.scenario.title)?;
@@ -114,14 +117,14 @@ fn flight(report: &Report<'_>, out: &mut dyn Write) -> Result<()> {
                 out,
                 "           the response is negative, first after {} steps; in all by n <= {}",
                 sample.step,
-                fraction(&mass.negative)
+                decimal_string(&mass.negative, PLACES)
             )?;
             writeln!(
                 out,
-                "           n: {} samples executed, those beyond below {} (certified: at most {} {}^k)",
+                "           n: {} samples executed, the rest is below {} in all (certified: below {} ({})^k)",
                 mass.samples,
                 decimal_string(&mass.tail, 6),
-                fraction(&mass.scale),
+                decimal_string(&mass.scale, PLACES),
                 fraction(&mass.rate)
             )?;
             writeln!(

@@ -135,9 +135,9 @@ fn text(
     match &found.above {
         Some(Side { gain, found: sample, .. }) => writeln!(
             out,
-            "  above  at lambda_P = {} the response is negative after {} steps: {}",
+            "  above  at lambda_P = {} sample h_{} of the response is negative: {}",
             decimal_string(gain, digits),
-            sample.step,
+            sample.step + 1,
             decimal_string(&sample.value, VALUE_PLACES)
         )?,
         None => writeln!(out, "  above  no gain was found at which a sample is negative")?,
@@ -170,7 +170,8 @@ fn as_json(tuning: &Tuning, digits: usize, found: &Bracket, files: &[String]) ->
         "above": found.above.as_ref().map(|side| json!({
             "lambda_p": fraction(&side.gain),
             "evidence": Evidence::Certified,
-            "step": side.found.step,
+            // The first sample, h_1, is the one after the command's own step.
+            "sample": side.found.step + 1,
             "value": decimal_string(&side.found.value, VALUE_PLACES),
         })),
         "files": files,

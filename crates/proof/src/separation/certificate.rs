@@ -20,7 +20,7 @@ const STEP: &str = "step";
 const KEPT: &str = "kept";
 
 /// Decimal places of the bounds, tried in turn.
-const PLACES: [u32; 6] = [16, 24, 36, 54, 81, 120];
+const PLACES: [u32; 7] = [10, 16, 24, 36, 54, 81, 120];
 
 /// Steps that bounds may take longer into a cone than the states that they enclose.
 const LATER: usize = 10;

@@ -84,8 +84,10 @@ fn the_loop_is_the_one_of_the_equations() {
     assert_eq!(list(&direct.pushes[1]), "1/20 1 0 0");
 }
 
+type Found = ((&'static str, &'static str), usize, bool, usize, usize);
+
 /// Gains, way, whether with wind; rows of the cone, and the step that it is entered after.
-const FOUND: [((&str, &str), usize, bool, usize, usize); 18] = [
+const FOUND: [Found; 18] = [
     (("0.4", "4"), 0, false, 8, 16),
     (("0.4", "4"), 1, false, 6, 18),
     (("0.4", "4"), 2, false, 8, 15),

@@ -12,7 +12,7 @@ use crate::format::{Contraction, Delay, Growth, Refutation};
 use crate::kernel::{Fault, fault};
 use crate::number::{Number, exhausted};
 use crate::poly::{Atom, Poly};
-use crate::system::named;
+use crate::system::{Step, named};
 
 type Result<T> = std::result::Result<T, Fault>;
 
@@ -25,7 +25,13 @@ pub type Rows = Vec<BTreeMap<usize, Number>>;
 /// The linear part A of the spec's step on the inner drones' positions, hence of their errors: the targets are
 /// a fixed point, x' = A x + b with T = A T + b gives T - x' = A (T - x). That is checked here too.
 /// The vector has an entry an inner drone, each above 0.
-fn errors(rule: &'static str, drones: u32, eps: &Number, vector: &[Number]) -> Result<Rows> {
+fn errors(
+    rule: &'static str,
+    drones: u32,
+    eps: &Number,
+    vector: &[Number],
+    exec: Step,
+) -> Result<Rows> {
     let count = drones as usize;
     if !(3..=MAX_DRONES).contains(&count) {
         return fault(rule, format!("{drones} drones: expected 3 to {MAX_DRONES}"));
@@ -39,7 +45,7 @@ fn errors(rule: &'static str, drones: u32, eps: &Number, vector: &[Number]) -> R
     let last = Poly::from_index(count - 1);
     let params =
         Params { min: Poly::default(), max: last.clone(), eps: Poly::constant(eps.clone()), n: 0 };
-    let step = |drones: Vec<Poly>| exec_coverage(&params, &State { drones, timesteps: 0 }).drones;
+    let step = |drones: Vec<Poly>| exec(&params, &State { drones, timesteps: 0 }).drones;
     let targets: Vec<Poly> = (0..count).map(Poly::from_index).collect();
     if step(targets.clone()) != targets {
         return fault(rule, "the targets are not a fixed point");
@@ -72,9 +78,9 @@ fn absolute(row: &BTreeMap<usize, Number>, w: &[Number]) -> Number {
 
 /// `contraction`: w > 0 and |A| w <= rate * w with 0 <= rate < 1. So max_i |e_i|/w_i falls by
 /// that rate in every step, from every start.
-pub fn contraction(c: &Contraction) -> Result<String> {
+pub fn contraction(c: &Contraction, step: Step) -> Result<String> {
     const RULE: &str = "contraction";
-    let rows = errors(RULE, c.drones, &c.eps, &c.vector)?;
+    let rows = errors(RULE, c.drones, &c.eps, &c.vector, step)?;
     if !(Number::whole(0)..Number::whole(1)).contains(&c.rate) {
         return fault(RULE, "the rate is not in [0, 1)");
     }
@@ -91,9 +97,9 @@ pub fn contraction(c: &Contraction) -> Result<String> {
 
 /// `growth`: w > 0 and |A| w >= w, and with s_i = 1 or s_i = (-1)^i no s_i s_j a_ij has another
 /// sign than the rest. So from errors s_i w_i no cancellation occurs and |e_i^k| >= w_i for every k.
-pub fn growth(c: &Growth) -> Result<String> {
+pub fn growth(c: &Growth, step: Step) -> Result<String> {
     const RULE: &str = "growth";
-    let rows = errors(RULE, c.drones, &c.eps, &c.vector)?;
+    let rows = errors(RULE, c.drones, &c.eps, &c.vector, step)?;
     for (i, row) in rows.iter().enumerate() {
         if absolute(row, &c.vector) < c.vector[i] {
             return fault(RULE, format!("drone {}: |A| w is below w", i + 1));

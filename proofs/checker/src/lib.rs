@@ -17,8 +17,10 @@ pub mod system;
 
 use std::fmt;
 
+use cordon_spec::coverage::exec_coverage;
 use format::{Kind, Theorem};
 use kernel::{Fault, Kernel, fault};
+use system::Step;
 
 /// What the checker says of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -82,15 +84,21 @@ impl fmt::Display for Verdict {
 
 /// Checks the text of a certificate.
 pub fn check(text: &str) -> Verdict {
+    check_of(text, exec_coverage)
+}
+
+/// Checks the text of a certificate as if the protocol were another: what is proved of the right one
+/// must not be of a wrong one. For steps in which everybody updates; refutations run the spec.
+pub fn check_of(text: &str, step: Step) -> Verdict {
     number::refill();
     let kind = match format::read(text) {
         Ok(kind) => kind,
         Err(reason) => return Verdict::Unreadable { reason },
     };
-    let (step, result) = match &kind {
-        Kind::Theorem(t) => theorem(t),
-        Kind::Contraction(c) => ("contraction", concrete::contraction(c).map(|c| (c, 1))),
-        Kind::Growth(c) => ("growth", concrete::growth(c).map(|c| (c, 1))),
+    let (clause, result) = match &kind {
+        Kind::Theorem(t) => theorem(t, step),
+        Kind::Contraction(c) => ("contraction", concrete::contraction(c, step).map(|c| (c, 1))),
+        Kind::Growth(c) => ("growth", concrete::growth(c, step).map(|c| (c, 1))),
         Kind::Refutation(c) => ("refutation", concrete::refutation(c).map(|c| (c, 1))),
         Kind::Invariance(c) => ("invariance", linear::invariance(c)),
         Kind::Quadratic(c) => ("quadratic", linear::quadratic(c)),
@@ -100,21 +108,21 @@ pub fn check(text: &str) -> Verdict {
         if number::exhausted() { fault("work", "more than a file is allowed") } else { result };
     match result {
         Ok((claim, obligations)) => Verdict::Valid { claim, obligations },
-        Err(Fault { rule, reason }) => Verdict::Invalid { step: step.into(), rule, reason },
+        Err(Fault { rule, reason }) => Verdict::Invalid { step: clause.into(), rule, reason },
     }
 }
 
 /// Kind `theorem`: the clause that fails, or what was proved and in how many clauses.
-fn theorem(t: &Theorem) -> (&str, Result<(String, usize), Fault>) {
+fn theorem(t: &Theorem, protocol: Step) -> (&str, Result<(String, usize), Fault>) {
     let mut step = "statement";
-    let result = prove(t, &mut step);
+    let result = prove(t, protocol, &mut step);
     (step, result)
 }
 
-fn prove<'t>(t: &'t Theorem, step: &mut &'t str) -> Result<(String, usize), Fault> {
+fn prove<'t>(t: &'t Theorem, protocol: Step, step: &mut &'t str) -> Result<(String, usize), Fault> {
     let (mut kernel, s) = (Kernel::default(), &t.statement);
     let mut words = vec![match (&s.system, &s.family) {
-        (Some(system), None) => system::install(system, &mut kernel)?,
+        (Some(system), None) => system::install(system, &mut kernel, protocol)?,
         (None, Some(family)) => system::family(family, &mut kernel)?,
         _ => return fault("system", "expected `system`, or `family`"),
     }];

@@ -10,7 +10,7 @@ use std::num::NonZeroU32;
 
 use cordon_spec::activation::exec_coverage_active;
 use cordon_spec::consensus::exec_consensus;
-use cordon_spec::coverage::{exec_coverage, tick};
+use cordon_spec::coverage::tick;
 use cordon_spec::delay::exec_coverage_delayed;
 use cordon_spec::graph::Path;
 use cordon_spec::local::{LocalParams, TickRatio, exchange, fmu_tick, project};
@@ -61,11 +61,14 @@ struct Builder<'k> {
     told: &'static [&'static str],
 }
 
+/// One step of the protocol with everybody updating.
+pub type Step = fn(&Params<Poly>, &State<Vec<Poly>>) -> State<Vec<Poly>>;
+
 /// Adds the system's constants, functions and clauses; gives its hypothesis in words.
 ///
 /// # Errors
 /// What is not known, or contradicts itself.
-pub fn install(system: &System, kernel: &mut Kernel) -> Result<String> {
+pub fn install(system: &System, kernel: &mut Kernel, step: Step) -> Result<String> {
     let mut b = Builder::new(system.drones, kernel)?;
     b.told = &["weight", "segment", "start", "minor"];
     b.constant("eps", Sort::Real);
@@ -77,7 +80,7 @@ pub fn install(system: &System, kernel: &mut Kernel) -> Result<String> {
     }
     b.weights(&system.weights)?;
     match (system.protocol.as_str(), system.steps.as_str()) {
-        ("coverage", steps) => b.coverage(steps)?,
+        ("coverage", steps) => b.coverage(steps, step)?,
         ("consensus", "full") => b.consensus()?,
         ("projection", "full") => b.projection()?,
         _ => return fault("system", "expected `coverage`, `consensus` or `projection`"),
@@ -340,14 +343,14 @@ impl<'k> Builder<'k> {
         }
     }
 
-    fn coverage(&mut self, steps: &str) -> Result<()> {
+    fn coverage(&mut self, steps: &str, step: Step) -> Result<()> {
         let params = || Params { min: var("min"), max: var("max"), eps: var("eps"), n: 0 };
         let (k, pair) = (var("k"), ["k", "i"]);
         let state = |row: &[Poly]| State { drones: positions("x", row), timesteps: 0 };
         let after = |i: &Poly| Poly::app("x", &[var("k") + &int(1), i.clone()]);
         match steps {
             "full" => self.step("step", &after, &|row, at| {
-                Ok(exec_coverage(&params(), &state(row)).drones[at].clone())
+                Ok(step(&params(), &state(row)).drones[at].clone())
             }),
             "activation" => {
                 // active(k,i) = 1 where drone i updates in step k, 0 where it does not.

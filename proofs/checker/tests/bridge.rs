@@ -9,7 +9,8 @@ use cordon_check::format::System;
 use cordon_check::kernel::Kernel;
 use cordon_check::number::{Number, refill};
 use cordon_check::poly::{Atom, Poly};
-use cordon_check::system::install;
+use cordon_check::system::{Step, install};
+use cordon_check::{Verdict, check_of};
 use cordon_spec::activation::exec_coverage_active;
 use cordon_spec::consensus::exec_consensus;
 use cordon_spec::coverage::exec_coverage;
@@ -26,7 +27,7 @@ fn kernel(system: &Value) -> Kernel {
     refill();
     let system: System = serde_json::from_value(system.clone()).unwrap();
     let mut kernel = Kernel::default();
-    install(&system, &mut kernel).unwrap();
+    install(&system, &mut kernel, exec_coverage).unwrap();
     kernel
 }
 
@@ -232,4 +233,66 @@ fn quotient(n: usize, d: usize) -> String {
         (n, 1) => n.to_string(),
         (n, d) => format!("{n}/{d}"),
     }
+}
+
+type Row = State<Vec<Poly>>;
+
+/// The protocol with another mean on the inner drones: own weight, and the drone in the predecessor's place.
+fn inner(p: &Params<Poly>, s: &Row, own: &Poly, sign: i64, before: usize) -> Row {
+    let mut after = exec_coverage(p, s);
+    let x = &s.drones;
+    for i in 1..x.len() - 1 {
+        after.drones[i] = p.eps.clone() * &x[i.saturating_sub(before)]
+            + &(own.clone() * &x[i])
+            + &(Poly::whole(sign) * &p.eps * &x[i + 1]);
+    }
+    after
+}
+
+fn below(n: i64, p: &Params<Poly>) -> Poly {
+    Poly::whole(1) - &(Poly::whole(n) * &p.eps)
+}
+
+const WRONG: [(&str, Step); 6] = [
+    ("neighbour off by one", |p, s| inner(p, s, &below(2, p), 1, 2)),
+    ("weight 1-eps", |p, s| inner(p, s, &below(1, p), 1, 1)),
+    ("weight turned", |p, s| inner(p, s, &below(2, p), -1, 1)),
+    ("first drone moving", |p, s| {
+        let mut after = exec_coverage(p, s);
+        after.drones[0] = p.min.clone() + &p.eps;
+        after
+    }),
+    ("last drone following", |p, s| {
+        let mut after = exec_coverage(p, s);
+        let last = s.drones.len() - 1;
+        after.drones[last] = s.drones[last - 1].clone();
+        after
+    }),
+    ("nobody moves", |_, s| s.clone()),
+];
+
+/// What is proved of the protocol is not proved of one with a fault, and the rule that says so is the one that
+/// compares with the step.
+#[test]
+fn a_wrong_protocol_breaks_the_certificates() {
+    let right: Step = |p, s| inner(p, s, &below(2, p), 1, 1);
+    let theorems = ["7.2", "7.3", "7.4i", "7.5i", "7.5ii", "7.6i", "7.6ii", "7.7", "7.8"];
+    let files = theorems.map(|n| (format!("{n}-sharp"), "positivity")).into_iter().chain([
+        ("7.8-beyond".to_owned(), "positivity"),
+        ("7.8-contraction-n4-eps-3_5".to_owned(), "contraction"),
+        ("7.8-contraction-n5-eps-4_7".to_owned(), "contraction"),
+    ]);
+    let mut broken = 0;
+    for (file, expected) in files {
+        let path = format!("{}/../certificates/{file}.json", env!("CARGO_MANIFEST_DIR"));
+        let text = std::fs::read_to_string(path).unwrap();
+        assert_eq!(check_of(&text, right).code(), 0, "{file}");
+        for (what, step) in WRONG {
+            let verdict = check_of(&text, step);
+            let refused = matches!(&verdict, Verdict::Invalid { rule, .. } if *rule == expected);
+            assert!(refused, "{file}, {what}: {verdict}");
+            broken += 1;
+        }
+    }
+    assert_eq!(broken, 72);
 }

@@ -516,6 +516,7 @@ fn every_command_has_an_example_and_completions_offer_numbers_and_files() {
         "refute",
         "prove",
         "check",
+        "separation",
         "threshold",
         "settle",
         "export",

@@ -20,5 +20,6 @@ mod golden;
 mod messages;
 mod replay;
 mod schemas;
+mod separation;
 mod sweep;
 mod trust_lines;

@@ -1,8 +1,7 @@
 //! Theorem 7.5: the sum of the positions never decreases, and stays at the targets.
 
 #[cfg(feature = "contracts")]
-#[allow(unused_imports)] // the erased macros swallow each other's attributes
-use creusot_contracts::prelude::{ensures, requires};
+use crate::model::*;
 
 use super::Setting;
 use super::hypothesis::at_targets;

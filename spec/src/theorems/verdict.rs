@@ -3,8 +3,7 @@
 use core::cmp::Ordering;
 
 #[cfg(feature = "contracts")]
-#[allow(unused_imports)] // the erased macros swallow each other's attributes
-use creusot_contracts::prelude::{ensures, requires};
+use crate::model::*;
 
 use crate::Ordered;
 

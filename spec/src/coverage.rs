@@ -74,8 +74,7 @@ fn next_placement<S: Scalar, M: DroneMap<S>>(p: &Params<S>, drones: &M) -> M {
 /// One tick: a protocol step when the counter has reached `n`, otherwise only the counter
 /// moves (Listing 4, `tick`). One tick is one co-simulation step of tau seconds.
 #[cfg_attr(feature = "contracts", requires(exact::<S>() && s.timesteps <= p.n))]
-#[cfg_attr(feature = "contracts", ensures(s.timesteps == p.n ==> result.timesteps@ == 0 && positions(result).ext_eq(step(p.model(), positions(s)))))]
-#[cfg_attr(feature = "contracts", ensures(s.timesteps < p.n ==> result.timesteps@ == s.timesteps@ + 1 && result.drones == s.drones))]
+#[cfg_attr(feature = "contracts", ensures(ticked(p.model(), s, result)))]
 pub fn tick<S: Scalar, M: DroneMap<S>>(p: &Params<S>, s: State<M>) -> State<M> {
     s.tick_with(p.n, |drones| next_placement(p, drones))
 }
@@ -93,7 +92,11 @@ pub fn kth_step<S: Scalar, M: DroneMap<S>>(p: &Params<S>, initial: State<M>, k: 
     let mut s = initial;
     #[cfg_attr(creusot, invariant(s.timesteps <= p.n && after_ticks(p.model(), *start, produced.len(), s)))]
     for _ in 0..k {
+        #[cfg(creusot)]
+        let before = snapshot!(s);
         s = tick(p, s);
+        #[cfg(creusot)]
+        proof_assert!({ one_tick_more(p.model(), *start, produced.len() - 1, *before, s); true });
     }
     s
 }

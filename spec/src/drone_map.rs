@@ -19,7 +19,8 @@ pub trait DroneMap<T>: AsRef<[T]> + Sized {
     /// `as_ref` gives these values.
     #[cfg(feature = "contracts")]
     #[logic(law)]
-    #[ensures(<Self as AsRef<[T]>>::as_ref.precondition((&self,)))]
+    #[requires(inv(self))]
+    #[ensures(self.seq().len() <= usize::MAX@)]
     #[ensures(forall<r: &[T]> <Self as AsRef<[T]>>::as_ref.postcondition_once((&self,), r) ==> r@ == self.seq())]
     fn as_ref_is_seq(self);
 
@@ -46,7 +47,8 @@ impl<T, const N: usize> DroneMap<T> for [T; N] {
 
     #[cfg(feature = "contracts")]
     #[logic(law)]
-    #[ensures(<Self as AsRef<[T]>>::as_ref.precondition((&self,)))]
+    #[requires(inv(self))]
+    #[ensures(self.seq().len() <= usize::MAX@)]
     #[ensures(forall<r: &[T]> <Self as AsRef<[T]>>::as_ref.postcondition_once((&self,), r) ==> r@ == self.seq())]
     fn as_ref_is_seq(self) {}
 

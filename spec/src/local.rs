@@ -169,5 +169,10 @@ pub fn exchange<S: Scalar, L: DroneMap<SimState<S>>>(machines: &L) -> L {
 #[cfg_attr(feature = "contracts", requires(forall<i> 0 <= i && i < p.count@ ==> machines.seq()[i].st.id@ == i))]
 #[cfg_attr(feature = "contracts", ensures(refines_tick(*p, machines.seq(), result.seq())))]
 pub fn swarm_tick<S: Scalar, L: DroneMap<SimState<S>>>(p: &LocalParams<S>, machines: &L) -> L {
-    exchange(&machines.lambda(|i| fmu_tick(p, machines.as_ref()[i].clone())))
+    let moved = machines.lambda(|i| fmu_tick(p, machines.as_ref()[i].clone()));
+    #[cfg(creusot)]
+    proof_assert!(forall<i> 0 <= i && i < p.count@ ==> exists<m: SimState<S>> same(machines.seq()[i], m) && local_tick(*p, m, moved.seq()[i]));
+    #[cfg(creusot)]
+    proof_assert!(moves_on(*p, machines.seq(), moved.seq()));
+    exchange(&moved)
 }

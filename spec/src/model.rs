@@ -11,6 +11,8 @@
 
 pub use creusot_std::logic::real::Real;
 pub use creusot_std::logic::ops::IndexLogic as _;
+#[cfg(creusot)]
+pub use creusot_std::prelude::inv;
 pub use creusot_std::prelude::{
     DeepModel, Int, OrdLogic, Seq, View, ensures, extern_spec, invariant, logic, pearlite,
     proof_assert, requires, snapshot, trusted, variant,
@@ -45,6 +47,11 @@ extern_spec! {
     impl<T, const N: usize> AsRef<[T]> for [T; N] {
         #[ensures(result@ == self@)]
         fn as_ref(&self) -> &[T];
+    }
+
+    impl TryFrom<usize> for i32 {
+        #[ensures(match result { Ok(n) => n@ == u@, Err(_) => u@ > i32::MAX@ })]
+        fn try_from(u: usize) -> Result<i32, core::num::TryFromIntError>;
     }
 
     impl u32 {
@@ -216,6 +223,42 @@ pub fn after_ticks<S: Scalar, M: DroneMap<S>>(
     }
 }
 
+/// What [`tick`](crate::coverage::tick) does.
+#[logic(open)]
+pub fn ticked<S: Scalar, M: DroneMap<S>>(p: Params<Real>, s: State<M>, after: State<M>) -> bool {
+    pearlite! {
+        if s.timesteps == p.n {
+            after.timesteps@ == 0 && positions(after) == step(p, positions(s))
+        } else {
+            after.timesteps@ == s.timesteps@ + 1 && positions(after) == positions(s)
+        }
+    }
+}
+
+/// The counter after one tick more: it wraps, and a step ends, where it reaches the period.
+#[logic]
+#[requires(passed >= 0 && period > 0)]
+#[ensures(passed.div_euclid(period) >= 0)]
+#[ensures(passed.rem_euclid(period) + 1 < period ==> (passed + 1).rem_euclid(period) == passed.rem_euclid(period) + 1
+    && (passed + 1).div_euclid(period) == passed.div_euclid(period))]
+#[ensures(passed.rem_euclid(period) + 1 == period ==> (passed + 1).rem_euclid(period) == 0
+    && (passed + 1).div_euclid(period) == passed.div_euclid(period) + 1)]
+pub fn counter_more(passed: Int, period: Int) {}
+
+/// The induction step of [`kth_step`](crate::coverage::kth_step).
+#[logic]
+#[requires(k >= 0 && after_ticks(p, start, k, before) && ticked(p, before, after))]
+#[ensures(after_ticks(p, start, k + 1, after))]
+pub fn one_tick_more<S: Scalar, M: DroneMap<S>>(
+    p: Params<Real>,
+    start: State<M>,
+    k: Int,
+    before: State<M>,
+    after: State<M>,
+) {
+    counter_more(start.timesteps.view() + k, p.n.view() + 1)
+}
+
 /// That drone `i` of the delayed step sees the placement `x`: itself as it is in `now`, the
 /// others as `seen` has them.
 #[logic(open, prophetic)]
@@ -252,6 +295,15 @@ pub fn local_tick<S: Scalar>(p: LocalParams<S>, s: SimState<S>, after: SimState<
     }
 }
 
+/// That two machines are in the same state.
+#[logic(open)]
+pub fn same<S: Scalar>(a: SimState<S>, b: SimState<S>) -> bool {
+    pearlite! {
+        a.timesteps == b.timesteps && a.st.id == b.st.id && a.st.own.model() == b.st.own.model()
+            && a.st.prec.model() == b.st.prec.model() && a.st.foll.model() == b.st.foll.model()
+    }
+}
+
 /// That the machine `m` is drone `i` of the placement `x`, and knows its neighbours' places.
 #[logic(open)]
 pub fn knows<S: Scalar>(m: SimState<S>, x: Seq<Real>, i: Int) -> bool {
@@ -280,6 +332,34 @@ pub fn projections<S: Scalar>(machines: Seq<SimState<S>>, x: Seq<Real>, t: Int) 
     pearlite! {
         machines.len() == x.len() && forall<i> 0 <= i && i < x.len()
             ==> knows(machines[i], x, i) && machines[i].timesteps@ == t
+    }
+}
+
+/// That the machines are at the places `x`, whatever they know of each other, with the counter
+/// at `t`.
+#[logic(open)]
+pub fn placed<S: Scalar>(machines: Seq<SimState<S>>, x: Seq<Real>, t: Int) -> bool {
+    pearlite! {
+        machines.len() == x.len() && forall<i> 0 <= i && i < x.len()
+            ==> machines[i].st.id@ == i && machines[i].st.own.model() == x[i]
+                && machines[i].timesteps@ == t
+    }
+}
+
+/// The first half of [`refines_tick`]: before the machines have exchanged their positions.
+#[logic(open)]
+pub fn moves_on<S: Scalar>(
+    p: LocalParams<S>,
+    before: Seq<SimState<S>>,
+    after: Seq<SimState<S>>,
+) -> bool {
+    pearlite! {
+        forall<x: Seq<Real>, t: Int> projections(before, x, t)
+            ==> if t * whole(p.ratio.den) >= p.ratio.num@ {
+                placed(after, step(p.protocol.model(), x), 0)
+            } else {
+                placed(after, x, t + 1)
+            }
     }
 }
 

@@ -23,6 +23,8 @@ pub fn sum<S: Scalar>(x: &[S]) -> S {
     let mut c = S::from_int(0);
     #[cfg_attr(creusot, invariant(c.model() == total(reals(x@), produced.len()) && produced.len() <= x@.len()))]
     for xi in x {
+        #[cfg(creusot)]
+        proof_assert!(*xi == x@[produced.len() - 1] && reals(x@)[produced.len() - 1] == xi.model());
         c = c + xi;
     }
     c
@@ -74,6 +76,9 @@ pub fn scaled_energy<S: Scalar>(min: &S, max: &S, x: &[S]) -> S {
     #[cfg_attr(creusot, invariant(sum.model() == energy(min.model(), max.model(), reals(x@), produced.len()) && produced.len() <= x@.len()))]
     for i in 0..x.len() {
         let e = scaled_error(min, max, x, i);
+        #[cfg(creusot)]
+        proof_assert!(energy(min.model(), max.model(), reals(x@), i@ + 1)
+            == energy(min.model(), max.model(), reals(x@), i@) + e.model() * e.model());
         sum = sum + &(e.clone() * &e);
     }
     sum

@@ -171,8 +171,8 @@ pub fn exchange<S: Scalar, L: DroneMap<SimState<S>>>(machines: &L) -> L {
 pub fn swarm_tick<S: Scalar, L: DroneMap<SimState<S>>>(p: &LocalParams<S>, machines: &L) -> L {
     let moved = machines.lambda(|i| fmu_tick(p, machines.as_ref()[i].clone()));
     #[cfg(creusot)]
-    proof_assert!(forall<i> 0 <= i && i < p.count@ ==> exists<m: SimState<S>> same(machines.seq()[i], m) && local_tick(*p, m, moved.seq()[i]));
+    proof_assert!(forall<i> 0 <= i && i < p.count@ ==> copy_updated(*p, machines.seq()[i], moved.seq()[i]));
     #[cfg(creusot)]
-    proof_assert!(moves_on(*p, machines.seq(), moved.seq()));
+    proof_assert!({ local_is_global(*p, machines.seq(), moved.seq()); moves_on(*p, machines.seq(), moved.seq()) });
     exchange(&moved)
 }

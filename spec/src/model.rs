@@ -206,6 +206,12 @@ pub fn energy(min: Real, max: Real, x: Seq<Real>, n: Int) -> Real {
     }
 }
 
+/// The energy of one drone more.
+#[logic]
+#[requires(0 <= i && i < x.len() && e == error(min, max, x, i))]
+#[ensures(energy(min, max, x, i + 1) == energy(min, max, x, i) + e * e)]
+pub fn one_error_more(min: Real, max: Real, x: Seq<Real>, i: Int, e: Real) {}
+
 /// That `after` is `before` after `k` ticks: with the counter at `t`, `t + k` ticks have passed
 /// since it last was 0, and a step ends every `n + 1` of them.
 #[logic(open)]
@@ -279,28 +285,37 @@ pub fn sees<'s, S: Scalar + 's, F: Fn(usize, usize) -> &'s S>(
 #[logic(open)]
 pub fn local_tick<S: Scalar>(p: LocalParams<S>, s: SimState<S>, after: SimState<S>) -> bool {
     pearlite! {
-        after.st.id == s.st.id && after.st.prec == s.st.prec && after.st.foll == s.st.foll
-            && if s.timesteps@ * whole(p.ratio.den) >= p.ratio.num@ {
-                after.timesteps@ == 0 && after.st.own.model() == next(
-                    p.protocol.model(),
-                    p.count@,
-                    s.st.prec.model(),
-                    s.st.own.model(),
-                    s.st.foll.model(),
-                    s.st.id@,
-                )
-            } else {
-                after.timesteps@ == s.timesteps@ + 1 && after.st.own == s.st.own
-            }
+        after.st.prec == s.st.prec && after.st.foll == s.st.foll && local_update(p, s, after)
     }
 }
 
-/// That two machines are in the same state.
+/// What [`fmu_tick`](crate::local::fmu_tick) does to a copy of the machine `s`, as far as the
+/// other machines learn of it.
 #[logic(open)]
-pub fn same<S: Scalar>(a: SimState<S>, b: SimState<S>) -> bool {
+pub fn local_update<S: Scalar>(p: LocalParams<S>, s: SimState<S>, after: SimState<S>) -> bool {
     pearlite! {
-        a.timesteps == b.timesteps && a.st.id == b.st.id && a.st.own.model() == b.st.own.model()
-            && a.st.prec.model() == b.st.prec.model() && a.st.foll.model() == b.st.foll.model()
+        after.st.id == s.st.id && if s.timesteps@ * whole(p.ratio.den) >= p.ratio.num@ {
+            after.timesteps@ == 0 && after.st.own.model() == next(
+                p.protocol.model(),
+                p.count@,
+                s.st.prec.model(),
+                s.st.own.model(),
+                s.st.foll.model(),
+                s.st.id@,
+            )
+        } else {
+            after.timesteps@ == s.timesteps@ + 1 && after.st.own.model() == s.st.own.model()
+        }
+    }
+}
+
+/// That `after` is a copy of the machine `s` one tick later.
+#[logic(open)]
+pub fn copy_updated<S: Scalar>(p: LocalParams<S>, s: SimState<S>, after: SimState<S>) -> bool {
+    pearlite! {
+        exists<m: SimState<S>> local_tick(p, m, after) && m.timesteps == s.timesteps
+            && m.st.id == s.st.id && m.st.own.model() == s.st.own.model()
+            && m.st.prec.model() == s.st.prec.model() && m.st.foll.model() == s.st.foll.model()
     }
 }
 
@@ -360,6 +375,31 @@ pub fn moves_on<S: Scalar>(
             } else {
                 placed(after, x, t + 1)
             }
+    }
+}
+
+/// Where a machine goes that knows its neighbours' places.
+#[logic]
+#[requires(knows(m, x, i) && 0 <= i && i < x.len())]
+#[ensures(next(p, x.len(), m.st.prec.model(), m.st.own.model(), m.st.foll.model(), i) == next_of(p, x, i))]
+pub fn one_machine<S: Scalar>(p: Params<Real>, m: SimState<S>, x: Seq<Real>, i: Int) {}
+
+/// Local updates of projections are the global step.
+#[logic]
+#[requires(before.len() == p.count.view() && after.len() == p.count.view())]
+#[requires(forall<i> 0 <= i && i < before.len() ==> copy_updated(p, before[i], after[i]))]
+#[ensures(moves_on(p, before, after))]
+pub fn local_is_global<S: Scalar>(
+    p: LocalParams<S>,
+    before: Seq<SimState<S>>,
+    after: Seq<SimState<S>>,
+) {
+    pearlite! {
+        proof_assert!(forall<i> 0 <= i && i < before.len() ==> local_update(p, before[i], after[i]));
+        proof_assert!(forall<x: Seq<Real>, i> 0 <= i && i < before.len() && x.len() == before.len() && knows(before[i], x, i)
+            ==> { one_machine(p.protocol.model(), before[i], x, i); true }
+            && next(p.protocol.model(), p.count@, before[i].st.prec.model(), before[i].st.own.model(), before[i].st.foll.model(), i)
+                == next_of(p.protocol.model(), x, i))
     }
 }
 

@@ -19,6 +19,8 @@ pub use creusot_std::prelude::{
 };
 pub use creusot_std::std::ops::{FnExt as _, FnMutExt as _, FnOnceExt as _};
 
+pub mod theorems;
+
 use core::convert::AsRef;
 use core::num::NonZero;
 use core::ops::{Add, Mul, Sub};

@@ -76,9 +76,12 @@ pub fn scaled_energy<S: Scalar>(min: &S, max: &S, x: &[S]) -> S {
     #[cfg_attr(creusot, invariant(sum.model() == energy(min.model(), max.model(), reals(x@), produced.len()) && produced.len() <= x@.len()))]
     for i in 0..x.len() {
         let e = scaled_error(min, max, x, i);
+        let squared = e.clone() * &e;
         #[cfg(creusot)]
-        proof_assert!({ one_error_more(min.model(), max.model(), reals(x@), produced.len() - 1, e.model()); i@ == produced.len() - 1 });
-        sum = sum + &(e.clone() * &e);
+        proof_assert!(i@ == produced.len() - 1 && squared.model() == e.model() * e.model());
+        #[cfg(creusot)]
+        proof_assert!({ one_error_more(min.model(), max.model(), reals(x@), i@, e.model()); true });
+        sum = sum + &squared;
     }
     sum
 }

@@ -1,8 +1,5 @@
 //! The consensus (rendez-vous) protocol: equation 6.
 
-#[cfg(feature = "contracts")]
-use crate::model::*;
-
 use crate::graph::Graph;
 use crate::{DroneMap, Scalar};
 

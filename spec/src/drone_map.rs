@@ -33,7 +33,10 @@ pub trait DroneMap<T>: AsRef<[T]> + Sized {
     #[cfg_attr(feature = "contracts", ensures(result@ == self.seq().len()))]
     fn count(&self) -> usize {
         #[cfg(creusot)]
-        proof_assert!({ self.as_ref_is_seq(); true });
+        proof_assert!({
+            self.as_ref_is_seq();
+            true
+        });
         self.as_ref().len()
     }
 }

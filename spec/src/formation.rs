@@ -1,8 +1,5 @@
 //! Formation control: equation 8 in discrete time.
 
-#[cfg(feature = "contracts")]
-use crate::model::*;
-
 use crate::consensus::pull;
 use crate::graph::Graph;
 use crate::{DroneMap, Scalar};

@@ -46,6 +46,7 @@ pub mod model;
 pub mod placement;
 pub mod scalar;
 pub mod state;
+// Creusot does not read the predicates: see proofs/creusot/README.md.
 #[cfg(not(creusot))]
 pub mod theorems;
 

@@ -173,6 +173,9 @@ pub fn swarm_tick<S: Scalar, L: DroneMap<SimState<S>>>(p: &LocalParams<S>, machi
     #[cfg(creusot)]
     proof_assert!(forall<i> 0 <= i && i < p.count@ ==> copy_updated(*p, machines.seq()[i], moved.seq()[i]));
     #[cfg(creusot)]
-    proof_assert!({ local_is_global(*p, machines.seq(), moved.seq()); moves_on(*p, machines.seq(), moved.seq()) });
+    proof_assert!({
+        local_is_global(*p, machines.seq(), moved.seq());
+        moves_on(*p, machines.seq(), moved.seq())
+    });
     exchange(&moved)
 }

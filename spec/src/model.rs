@@ -9,8 +9,8 @@
 //! the reals (`proofs/creusot/README.md` says of which scalars it is true); and, of Rust's own
 //! library, what the `extern_spec` blocks say.
 
-pub use creusot_std::logic::real::Real;
 pub use creusot_std::logic::ops::IndexLogic as _;
+pub use creusot_std::logic::real::Real;
 #[cfg(creusot)]
 pub use creusot_std::prelude::inv;
 pub use creusot_std::prelude::{
@@ -210,9 +210,9 @@ pub fn energy(min: Real, max: Real, x: Seq<Real>, n: Int) -> Real {
 
 /// The energy of one drone more.
 #[logic]
-#[requires(0 <= i && i < x.len() && e == error(min, max, x, i))]
-#[ensures(energy(min, max, x, i + 1) == energy(min, max, x, i) + e * e)]
-pub fn one_error_more(min: Real, max: Real, x: Seq<Real>, i: Int, e: Real) {}
+#[requires(0 <= i && i < x.len() && e == error(min, max, x, i) && copy == e)]
+#[ensures(energy(min, max, x, i + 1) == energy(min, max, x, i) + copy * e)]
+pub fn one_error_more(min: Real, max: Real, x: Seq<Real>, i: Int, copy: Real, e: Real) {}
 
 /// That `after` is `before` after `k` ticks: with the counter at `t`, `t + k` ticks have passed
 /// since it last was 0, and a step ends every `n + 1` of them.

@@ -76,12 +76,12 @@ pub fn scaled_energy<S: Scalar>(min: &S, max: &S, x: &[S]) -> S {
     #[cfg_attr(creusot, invariant(sum.model() == energy(min.model(), max.model(), reals(x@), produced.len()) && produced.len() <= x@.len()))]
     for i in 0..x.len() {
         let e = scaled_error(min, max, x, i);
-        let squared = e.clone() * &e;
+        let copy = e.clone();
         #[cfg(creusot)]
-        proof_assert!(i@ == produced.len() - 1 && squared.model() == e.model() * e.model());
+        proof_assert!(i@ == produced.len() - 1);
         #[cfg(creusot)]
-        proof_assert!({ one_error_more(min.model(), max.model(), reals(x@), i@, e.model()); true });
-        sum = sum + &squared;
+        proof_assert!({ one_error_more(min.model(), max.model(), reals(x@), i@, copy.model(), e.model()); true });
+        sum = sum + &(copy * &e);
     }
     sum
 }

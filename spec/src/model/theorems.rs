@@ -79,13 +79,29 @@ pub fn order_is_kept(p: Params<Real>, x: Seq<Real>, k: Int) {
     }
 }
 
+/// The identity of polynomials behind [`error_step`].
+#[logic]
+#[ensures(t - last * (eps * a + (int(1) - int(2) * eps) * b + eps * c)
+    == eps * (t - l - last * a) + (int(1) - int(2) * eps) * (t - last * b) + eps * (t + l - last * c))]
+pub fn mixed(eps: Real, last: Real, t: Real, l: Real, a: Real, b: Real, c: Real) {}
+
 /// The errors obey the protocol's own recurrence.
 #[logic]
 #[requires(anchored(p, x) && 0 < i && i + 1 < x.len())]
 #[ensures(error(p.min, p.max, step(p, x), i) == p.eps * error(p.min, p.max, x, i - 1)
     + (int(1) - int(2) * p.eps) * error(p.min, p.max, x, i)
     + p.eps * error(p.min, p.max, x, i + 1))]
-pub fn error_step(p: Params<Real>, x: Seq<Real>, i: Int) {}
+pub fn error_step(p: Params<Real>, x: Seq<Real>, i: Int) {
+    pearlite! {
+        let (last, j, l) = (int(x.len() - 1), int(i), p.max - p.min);
+        proof_assert!(int(i - 1) == j - int(1) && int(i + 1) == j + int(1));
+        proof_assert!(error(p.min, p.max, x, i - 1) == last * p.min + j * l - l - last * x[i - 1]);
+        proof_assert!(error(p.min, p.max, x, i + 1) == last * p.min + j * l + l - last * x[i + 1]);
+        proof_assert!(step(p, x)[i] == p.eps * x[i - 1] + (int(1) - int(2) * p.eps) * x[i] + p.eps * x[i + 1]);
+        proof_assert!(error(p.min, p.max, step(p, x), i) == last * p.min + j * l - last * step(p, x)[i]);
+        mixed(p.eps, last, last * p.min + j * l, l, x[i - 1], x[i], x[i + 1])
+    }
+}
 
 /// The end drones have no error.
 #[logic]
@@ -176,8 +192,13 @@ pub fn bounds_are_kept(p: Params<Real>, x: Seq<Real>, k: Int) {
 #[requires(anchored(p, x) && 1 <= n && n < x.len())]
 #[ensures(total(step(p, x), n) - total(x, n) == p.eps * ((x[n] - x[n - 1]) - (x[1] - x[0])))]
 pub fn telescoping(p: Params<Real>, x: Seq<Real>, n: Int) {
-    if n > 1 {
-        telescoping(p, x, n - 1)
+    pearlite! {
+        proof_assert!(total(step(p, x), n) == total(step(p, x), n - 1) + step(p, x)[n - 1]);
+        proof_assert!(total(x, n) == total(x, n - 1) + x[n - 1]);
+        if n > 1 {
+            telescoping(p, x, n - 1);
+            proof_assert!(step(p, x)[n - 1] - x[n - 1] == p.eps * ((x[n] - x[n - 1]) - (x[n - 1] - x[n - 2])))
+        }
     }
 }
 
@@ -220,6 +241,19 @@ pub fn last_gap_is_wider(p: Params<Real>, x: Seq<Real>) {
 #[ensures(a <= b)]
 pub fn scaled_order(c: Real, a: Real, b: Real) {}
 
+/// A drone in the middle of its neighbours stays.
+#[logic]
+#[requires(last > int(0) && last * a + last * c == int(2) * (last * b))]
+#[ensures(eps * a + (int(1) - int(2) * eps) * b + eps * c == b)]
+pub fn middle(eps: Real, last: Real, a: Real, b: Real, c: Real) {
+    pearlite! {
+        proof_assert!(last * (a + c) == last * (int(2) * b));
+        scaled_order(last, a + c, int(2) * b);
+        scaled_order(last, int(2) * b, a + c);
+        proof_assert!(c == int(2) * b - a)
+    }
+}
+
 /// Theorem 7.6 (i) for drone `i`, with any weight.
 #[logic]
 #[requires(anchored(p, x) && behind(p, x) && ahead(p, x) && 0 <= i && i < x.len())]
@@ -228,12 +262,13 @@ pub fn target_is_fixed(p: Params<Real>, x: Seq<Real>, i: Int) {
     pearlite! {
         if 0 < i && i + 1 < x.len() {
             let last = int(x.len() - 1);
+            proof_assert!(int(i - 1) == int(i) - int(1) && int(i + 1) == int(i) + int(1));
+            proof_assert!(error(p.min, p.max, x, i - 1) == int(0) && error(p.min, p.max, x, i) == int(0)
+                && error(p.min, p.max, x, i + 1) == int(0));
             proof_assert!(last * x[i] == target(p.min, p.max, last, int(i)));
             proof_assert!(last * x[i - 1] == target(p.min, p.max, last, int(i)) - (p.max - p.min));
             proof_assert!(last * x[i + 1] == target(p.min, p.max, last, int(i)) + (p.max - p.min));
-            scaled_order(last, x[i - 1] + x[i + 1], int(2) * x[i]);
-            scaled_order(last, int(2) * x[i], x[i - 1] + x[i + 1]);
-            proof_assert!(x[i - 1] + x[i + 1] == int(2) * x[i])
+            middle(p.eps, last, x[i - 1], x[i], x[i + 1])
         }
     }
 }
@@ -258,12 +293,18 @@ pub fn targets_are_fixed(p: Params<Real>, x: Seq<Real>) {
 #[ensures(behind(p.model(), positions(initial)) ==> behind(p.model(), positions(result)))]
 #[ensures(ahead(p.model(), positions(initial)) ==> ahead(p.model(), positions(result)))]
 #[ensures(boxed(p.model(), positions(initial)) ==> boxed(p.model(), positions(result)))]
-pub fn kth_step_keeps<S: Scalar, M: DroneMap<S>>(p: &Params<S>, initial: State<M>, k: u64) -> State<M> {
+pub fn kth_step_keeps<S: Scalar, M: DroneMap<S>>(
+    p: &Params<S>,
+    initial: State<M>,
+    k: u64,
+) -> State<M> {
     let start = snapshot!(positions(initial));
     let passed = snapshot!(initial.timesteps@ + k@);
     proof_assert!({ counter_more(*passed, p.n@ + 1); passed.div_euclid(p.n@ + 1) >= 0 });
     proof_assert!({ bounds_are_kept(p.model(), *start, passed.div_euclid(p.n@ + 1)); true });
     proof_assert!(ordered(*start) ==> { order_is_kept(p.model(), *start, passed.div_euclid(p.n@ + 1)); true }
         && ordered(steps(p.model(), *start, passed.div_euclid(p.n@ + 1))));
-    kth_step(p, initial, k)
+    let result = kth_step(p, initial, k);
+    proof_assert!(positions(result) == steps(p.model(), *start, passed.div_euclid(p.n@ + 1)));
+    result
 }

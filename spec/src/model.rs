@@ -196,24 +196,6 @@ pub fn error(min: Real, max: Real, x: Seq<Real>, i: Int) -> Real {
     target(min, max, last, int(i)) - last * x[i]
 }
 
-/// The sum of the squares of the first `n` errors.
-#[logic(open)]
-#[variant(n)]
-#[requires(0 <= n && n <= x.len())]
-pub fn energy(min: Real, max: Real, x: Seq<Real>, n: Int) -> Real {
-    if n == 0 {
-        int(0)
-    } else {
-        energy(min, max, x, n - 1) + error(min, max, x, n - 1) * error(min, max, x, n - 1)
-    }
-}
-
-/// The energy of one drone more.
-#[logic]
-#[requires(0 <= i && i < x.len() && e == error(min, max, x, i) && copy == e)]
-#[ensures(energy(min, max, x, i + 1) == energy(min, max, x, i) + copy * e)]
-pub fn one_error_more(min: Real, max: Real, x: Seq<Real>, i: Int, copy: Real, e: Real) {}
-
 /// That `after` is `before` after `k` ticks: with the counter at `t`, `t + k` ticks have passed
 /// since it last was 0, and a step ends every `n + 1` of them.
 #[logic(open)]

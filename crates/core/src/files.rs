@@ -208,7 +208,7 @@ pub fn same(a: &Path, b: &Path) -> bool {
     is_regular(a) && fs::canonicalize(a).is_ok_and(|a| fs::canonicalize(b).is_ok_and(|b| a == b))
 }
 
-/// A temporary file in the folder of `path`, which whoever may read new files may read.
+/// A temporary file in the folder of `path`, with the permissions of a new file.
 fn temporary_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
     let folder = match path.parent() {
         Some(p) if !p.as_os_str().is_empty() => p,

@@ -1,4 +1,4 @@
-//! How far work has come: engines count, whoever watches reads.
+//! How far work has come: engines count, the command line reads and draws.
 //!
 //! A process has one piece of work at a time, a command's. Nothing is decided by these counts.
 
@@ -17,7 +17,7 @@ pub fn advance(pieces: u64) {
     DONE.fetch_add(pieces, Relaxed);
 }
 
-/// Pieces done, and pieces expected in all: 0 where nobody has said.
+/// Pieces done, and pieces expected in all: 0 where no engine has said.
 pub fn so_far() -> (u64, u64) {
     (DONE.load(Relaxed), EXPECTED.load(Relaxed))
 }

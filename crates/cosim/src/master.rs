@@ -44,7 +44,7 @@ const PARALLEL_FROM: usize = 512;
 pub struct Master {
     grid: Grid,
     cells: Vec<Cell>,
-    /// Outputs of every unit that are connected, as they were at the present grid point.
+    /// Outputs of every unit that are connected, as they were at the current grid point.
     sent: Vec<Vec<Value>>,
     /// Whether a unit's outputs may have changed in the last step.
     fresh: Vec<bool>,
@@ -277,7 +277,7 @@ impl Master {
         }
     }
 
-    /// Jacobi without feedthrough: every unit reads the values of the present grid point and
+    /// Jacobi without feedthrough: every unit reads the values of the current grid point and
     /// steps; then all of them leave those of the next. No unit sees another's work, so that
     /// the result does not depend on the number of threads.
     fn advance_at_once(&mut self, step: u64) -> Result<()> {
@@ -361,7 +361,7 @@ impl Cell {
     }
 }
 
-/// Carries the present value of an input's source to the input.
+/// Carries the current value of an input's source to the input.
 fn carry_live(
     cells: &mut [Cell],
     unit: usize,

@@ -95,8 +95,8 @@ pub fn recorded(root: &Path) -> Result<Option<Record>> {
     Ok(Some(Record {
         tier: NAME.to_owned(),
         tool: format!("Kani {}", page.kani),
-        date: page.date.unwrap_or_else(|| "an unknown day".to_owned()),
-        sources: page.sources.unwrap_or_else(|| "unknown".to_owned()),
+        date: page.date.unwrap_or_else(|| "unknown date".to_owned()),
+        sources: page.sources.unwrap_or_else(|| "unknown sources".to_owned()),
         theorems: Theorem::ALL.into_iter().filter_map(about).collect(),
     }))
 }

@@ -103,7 +103,7 @@ struct Patterns<'q> {
     eps: Rational,
     region: Region,
     subsets: Vec<Vec<usize>>,
-    /// The distinct placements at the present step with the first pattern that leads there.
+    /// The distinct placements at the current step with the first pattern that leads there.
     placements: Vec<(Vec<Affine>, Vec<Vec<usize>>)>,
     extent: Extent,
 }

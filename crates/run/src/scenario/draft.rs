@@ -53,7 +53,7 @@ pub struct Draft {
     pub places: Places,
 }
 
-/// Protocol steps of a trace that nobody asked a number of.
+/// Protocol steps of a trace where no number is asked for.
 const DEFAULT_STEPS: u64 = 20;
 
 impl Draft {

@@ -61,7 +61,7 @@ pub(super) struct Decider<'a> {
 /// What 7.7 needs: runs from starts with one drone off its target, by 1 where l is 1.
 struct Units {
     starts: Vec<Vec<BigInt>>,
-    /// Their runs at the present step.
+    /// Their runs at the current step.
     runs: Vec<Run>,
     /// The verdicts on their runs from step 0.
     verdicts: Vec<Verdict>,
@@ -101,7 +101,7 @@ impl<'a> Decider<'a> {
         }
     }
 
-    /// Decides the present step.
+    /// Decides the current step.
     pub(super) fn decide(&self) -> Decision {
         let count = self.item.drones;
         if !self.lawful {

@@ -37,14 +37,14 @@ fn swarm(drones: usize, seconds: i64, integrator: &str) -> Cosimulation {
 #[divan::bench(args = ["euler", "exact"])]
 fn five_drones_25_s(bencher: Bencher<'_, '_>, integrator: &str) {
     let swarm = swarm(5, 25, integrator);
-    bencher.bench_local(|| run::run(black_box(&swarm), |_| {}).unwrap());
+    bencher.bench_local(|| run::run(black_box(&swarm)).unwrap());
 }
 
 /// The same in exact arithmetic, and the comparison.
 #[divan::bench(sample_count = 10)]
 fn five_drones_25_s_exactly(bencher: Bencher<'_, '_>) {
     let swarm = swarm(5, 25, "euler");
-    let record = run::run(&swarm, |_| {}).unwrap();
+    let record = run::run(&swarm).unwrap();
     bencher.bench_local(|| exact_run::difference(black_box(&swarm), &record).unwrap());
 }
 
@@ -52,5 +52,5 @@ fn five_drones_25_s_exactly(bencher: Bencher<'_, '_>) {
 #[divan::bench(sample_count = 3, sample_size = 1)]
 fn thousand_drones_100_s(bencher: Bencher<'_, '_>) {
     let swarm = swarm(1000, 100, "euler");
-    bencher.bench_local(|| run::run(black_box(&swarm), |_| {}).unwrap());
+    bencher.bench_local(|| run::run(black_box(&swarm)).unwrap());
 }

@@ -12,6 +12,7 @@
 //! | Does a theorem hold along this run? | [`check_run`] | this run only |
 //! | Is there a start from which it fails? | [`refute()`] | a counterexample that replays |
 //! | Is it true for every swarm? | [`prove`], [`check_certificate`] | a certificate, and the independent checker's word on it |
+//! | Does my own protocol keep what I claim? | [`protocol_file`], [`prove_claims`], [`refute_claims`] | a certificate, or an exact run |
 //! | How do the drones fly? | [`fly`] | one co-simulated run |
 //!
 //! # Running a scenario
@@ -39,8 +40,12 @@
 //! each kind of evidence rests on.
 
 pub use cordon_check::Verdict as CertificateVerdict;
+/// Protocols of one's own: what every engine knows of one. [`protocol_file`] reads one from TOML,
+/// [`system::System::of`] takes one from a Rust type (`examples/own.rs`).
+pub use cordon_core::system;
 pub use cordon_core::{Error, Outcome, Rational, Result};
 pub use cordon_cosim::record::Record;
+pub use cordon_proof::claims::Run as ClaimRun;
 pub use cordon_proof::counterexample::Counterexample;
 pub use cordon_run::scenario::{Flight, Protocol, Scenario};
 pub use cordon_run::trace::Checked;
@@ -52,7 +57,7 @@ use cordon_cosim::cosimulation::Cosimulation;
 use cordon_proof::prove::{CLAIMS, Scope};
 use cordon_proof::refute;
 use cordon_run::fast::{Engine, Rule, engine};
-use cordon_run::trace::{self as rows, Selection, Unit};
+use cordon_run::trace::{self as rows, Counted, Selection};
 
 /// The scenario that a TOML text describes.
 ///
@@ -84,7 +89,7 @@ pub fn scenario_and_flight(toml: &str) -> Result<(Scenario, Flight)> {
 /// # Errors
 /// The run is too long to step through.
 pub fn trace(scenario: &Scenario, last: u64) -> Result<Vec<Vec<Rational>>> {
-    let selection = Selection { unit: Unit::Steps, from: 0, to: last, every: 1 };
+    let selection = Selection { unit: Counted::Steps, from: 0, to: last, every: 1 };
     Ok(rows::select(scenario, selection)?.map(|row| row.positions.lowest()).collect())
 }
 
@@ -183,6 +188,54 @@ pub fn prove(theorem: Theorem, form: Form) -> Option<String> {
         .then_some(certificate)
 }
 
+/// The system that the text of a protocol file describes (`docs/src/protocol-file.md`); of a protocol for
+/// any number of agents, with the fewest.
+///
+/// # Errors
+/// The text is no protocol: with line, column and key.
+///
+/// ```
+/// # fn main() -> cordon::Result<()> {
+/// let system = cordon::protocol_file(
+///     r#"
+///     agents = 5
+///     topology = "ring"
+///     claims = ["0 <= x[i] <= 1"]
+///     [parameters]
+///     eps = "0..1/2"
+///     [rules]
+///     all = "x + eps*sum(their.x - x)"
+///     "#,
+/// )?;
+/// let proved = cordon::prove_claims(&system)?.expect("the box is kept");
+/// assert!(cordon::check_certificate(&proved).to_string().starts_with("valid: "));
+/// # Ok(())
+/// # }
+/// ```
+pub fn protocol_file(toml: &str) -> Result<system::System> {
+    cordon_run::protocol::parse("protocol", toml)?.system()
+}
+
+/// Searches a proof of what is claimed of a system: at every step, from every assumed start, for all values
+/// of its parameters. The certificate is a JSON text that the independent checker has accepted. `None`: none was found.
+///
+/// # Errors
+/// What was found is beyond the checker's limits.
+pub fn prove_claims(system: &system::System) -> Result<Option<String>> {
+    let Some(found) = cordon_proof::claims::prove(system) else { return Ok(None) };
+    let certificate = cordon_proof::claims::certificate::certificate(&found.system, &found.proof)
+        .ok_or_else(|| Error::internal("a proof without a certificate"))?;
+    cordon_proof::certificate::judged(&certificate)?;
+    Ok(Some(certificate.to_string()))
+}
+
+/// Searches the smallest counterexample to what is claimed of a system, up to step `steps`: constants take the ends of
+/// their ranges and fractions with denominators up to 8, what varies takes its ends. `None`: none was found.
+pub fn refute_claims(system: &system::System, steps: usize) -> Option<ClaimRun> {
+    let constants = cordon_proof::claims::constants(system, 8)?;
+    cordon_proof::claims::refute(system, &constants, None, steps).0
+}
+
 /// What the independent checker says of the text of a certificate.
 pub fn check_certificate(text: &str) -> CertificateVerdict {
     cordon_check::check(text)
@@ -213,5 +266,5 @@ pub fn check_certificate(text: &str) -> CertificateVerdict {
 /// # }
 /// ```
 pub fn fly(scenario: Scenario, flight: Flight) -> Result<Record> {
-    cordon_cosim::run::run(&Cosimulation::new(scenario, flight)?, |_| {})
+    cordon_cosim::run::run(&Cosimulation::new(scenario, flight)?)
 }

@@ -8,9 +8,8 @@ use cordon_check::Verdict;
 use cordon_check::format::MAX_BYTES;
 use serde_json::json;
 
-use super::progress;
 use super::select::OutputFormat;
-use cordon_core::{Error, Outcome, Result};
+use cordon_core::{Error, Outcome, Result, progress};
 
 /// Arguments of `cordon check`.
 #[derive(clap::Args, Debug)]
@@ -27,10 +26,11 @@ pub struct Args {
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let mut outcome = Outcome::Holds;
     let (mut verdicts, mut unreadable, mut unread) = (Vec::new(), Vec::new(), None);
-    progress::expect(args.files.len());
+    progress::expect(args.files.len() as u64);
     for path in &args.files {
-        progress::advance();
-        let verdict = match judge(path) {
+        let judged = judge(path);
+        progress::advance(1);
+        let verdict = match judged {
             Ok(verdict) => verdict,
             // The other files are judged all the same.
             Err(e) => {

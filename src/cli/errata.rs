@@ -6,7 +6,7 @@ use serde_json::json;
 
 use super::select::OutputFormat;
 use cordon_core::{Error, Outcome, Result};
-use cordon_paper::errata::{self, Erratum, Finding};
+use cordon_paper::errata::{self, Erratum, Recomputed};
 
 /// Arguments of `cordon errata`.
 #[derive(clap::Args, Debug)]
@@ -30,7 +30,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         )));
     }
     let wanted = |e: &&Erratum| args.numbers.is_empty() || args.numbers.contains(&e.number);
-    let found: Vec<(&Erratum, Finding)> =
+    let found: Vec<(&Erratum, Recomputed)> =
         all.iter().filter(wanted).map(|e| (e, e.establish())).collect();
     match args.format {
         OutputFormat::Text => found.iter().try_for_each(|(e, f)| text(e, f, out))?,
@@ -54,7 +54,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     Ok(if established { Outcome::Holds } else { Outcome::Refuted })
 }
 
-fn text(e: &Erratum, f: &Finding, out: &mut dyn Write) -> Result<()> {
+fn text(e: &Erratum, f: &Recomputed, out: &mut dyn Write) -> Result<()> {
     let mark = if f.established { "" } else { "NOT ESTABLISHED: " };
     writeln!(out, "{:>2}. {}", e.number, e.place)?;
     writeln!(out, "    printed   {}", e.printed)?;

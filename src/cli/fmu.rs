@@ -28,7 +28,7 @@ pub(super) const HOST: [&str; 2] = ["fmu", "host"];
 
 #[derive(clap::Args, Debug)]
 struct ExportArgs {
-    /// The unit
+    /// The unit to write
     #[arg(value_enum)]
     unit: UnitArg,
     /// Version of the FMI standard

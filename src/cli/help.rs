@@ -21,7 +21,8 @@ const EXAMPLES: [(&str, &str); 23] = [
   cordon trace --start 0,10,20,30,100 --eps 1/5 --steps 40 --every 10
   cordon trace scenarios/paper.toml --at 1000,1000000 --engine digits
 
-Limits: 3 to 1,000,000 drones, 10,000,000 rows, 10,000 decimal places, scenario files of 64 MiB.",
+Limits: 3 to 1,000,000 drones (20,000 with --engine digits), 10,000,000 rows, 10,000 decimal places, exact \
+answers of 1 GiB, scenario files of 64 MiB.",
     ),
     (
         "local",
@@ -29,7 +30,7 @@ Limits: 3 to 1,000,000 drones, 10,000,000 rows, 10,000 decimal places, scenario 
   cordon local scenarios/paper.toml
   cordon local scenarios/paper.toml --exchange-every 3
 
-Limits: 100,000 ticks.",
+Limits: 3 to 1,000,000 drones, 100,000 ticks, 10,000 decimal places.",
     ),
     (
         "swarm",
@@ -45,7 +46,7 @@ Limits: 3 to 100,000,000 drones, 1,000,000,000,000 drone updates.",
   cordon cosim scenarios/faults.toml --out run.csv
   cordon cosim scenarios/paper.toml --format csv | head
 
-Limits: 67,108,864 positions in one run, 10,000,000,000 steps.",
+Limits: 67,108,864 positions in one run, 10,000,000,000 steps, FMUs of 100,000 files and 1 GiB unpacked.",
     ),
     (
         "separation",
@@ -67,7 +68,7 @@ Limits: coverage without faults or FMUs; certificates of desired positions for u
   cordon replay scenarios/paper.toml --out page.html
   cordon replay run.csv --out page.html
 
-Limits: run files of 1 GiB.",
+Limits: run files of 1 GiB; of more than 400,000 positions every second one, or fewer, is shown.",
     ),
     ("fmu", "Example:\n  cordon fmu export plant --out plant.fmu"),
     (
@@ -83,7 +84,7 @@ Limits: run files of 1 GiB.",
         "Example:
   cordon sweep merge part-1.jsonl part-2.jsonl --audit 5 --out whole.jsonl
 
-Limits: result files of 1 GiB.",
+Limits: result files of 1 GiB. Exit codes: as for `cordon sweep`; 2 where files contradict each other.",
     ),
     (
         "refute",
@@ -94,7 +95,7 @@ Limits: result files of 1 GiB.",
   cordon refute --protocol scenarios/own/hasty-coverage.toml
 
 Limits: 3 to 50 drones (12 with --activation), 1,000 steps, denominators up to 100, ranges of eps of \
-length 100.",
+length 100, 100,000 patterns of delays; numbers of 2,100 characters, which the independent checker reads.",
     ),
     (
         "prove",
@@ -111,13 +112,16 @@ Limits: one N up to 1,000,000; protocol files of 4 MiB, 200 drones and 200 compa
         "Example:
   cordon check proofs/certificates/*.json
 
-Exit codes: 0 all valid, 2 no certificate, 3 incomplete, 4 rejected, 74 not read.",
+Limits: files of 4 MiB, numbers of 2,100 characters. Exit codes: 0 all valid, 2 no certificate, 3 incomplete, 4 rejected, 74 not read.",
     ),
     (
         "threshold",
         "Examples:
   cordon threshold --property convergence --drones 5 --digits 20
-  cordon threshold --property separation --lambda-a 4 --tau 0.05",
+  cordon threshold --property separation --lambda-a 4 --tau 0.05
+
+Limits: 3 to 1,000 drones, 1,000 decimal places (separation: 4); certificates of the safe side of ordering and \
+bound up to 198 drones.",
     ),
     (
         "settle",
@@ -125,14 +129,38 @@ Exit codes: 0 all valid, 2 no certificate, 3 incomplete, 4 rejected, 74 not read
   cordon settle --drones 5 --eps 1/4 --within 0.01
   cordon settle --drones 5 --eps 1/4 --within 0.01 --start 0,1,2,3,5
 
-Runs up to 5,000,000 drone updates are executed, longer ones jumped over where eps is at most 1/2. \
-Thousands of drones take a minute.",
+Limits: 3 to 10,000 drones, of which thousands take a minute; 5,000,000 drone updates where runs are \
+executed. Longer ones are jumped over where eps is at most 1/2, and else left undetermined.",
     ),
     ("export", "Example:\n  cordon export smt2 7.2 --drones 4 | z3 -in"),
-    ("export smt2", "Example:\n  cordon export smt2 7.2 --drones 3..5 --out steps.smt2"),
-    ("export pvs", "Example:\n  cordon export pvs --scenario scenarios/paper.toml --out pvs"),
-    ("export into-cps", "Example:\n  cordon export into-cps scenarios/paper.toml --out swarm"),
-    ("export ssp", "Example:\n  cordon export ssp scenarios/paper.toml --out swarm.ssp"),
+    (
+        "export smt2",
+        "Example:
+  cordon export smt2 7.2 --drones 3..5 --out steps.smt2
+
+Limits: 3 to 9 drones, 8 steps, answers of 64 MiB.",
+    ),
+    (
+        "export pvs",
+        "Example:
+  cordon export pvs --scenario scenarios/paper.toml --out pvs
+
+Limits: 1,000 drones.",
+    ),
+    (
+        "export into-cps",
+        "Example:
+  cordon export into-cps scenarios/paper.toml --out swarm
+
+Positions travel as doubles unless the scenario or --exchange says otherwise. Limits: 10,000,000,000 steps.",
+    ),
+    (
+        "export ssp",
+        "Example:
+  cordon export ssp scenarios/paper.toml --out swarm.ssp
+
+Positions travel as doubles unless the scenario or --exchange says otherwise. Limits: 10,000,000,000 steps.",
+    ),
     (
         "completions",
         "Example:
@@ -165,6 +193,9 @@ fn hinted(arg: Arg) -> Arg {
     };
     let is_theorems = matches!(arg.get_id().as_str(), "theorems" | "theorem" | "check")
         || names.first().is_some_and(|n| n.as_str() == "NUMBERS") && is_text(&arg);
+    // `-1` is a number that is out of range, no flag.
+    let takes_number = arg.get_action().takes_values() && !arg.is_positional();
+    let arg = if takes_number { arg.allow_negative_numbers(true) } else { arg };
     let arg = arg.value_hint(hint);
     if is_theorems {
         arg.value_parser(ValueParser::new(Theorems)).hide_possible_values(true)

@@ -10,6 +10,7 @@ use serde_json::json;
 use super::scenario_args::ScenarioArgs;
 use super::select::OutputFormat;
 use super::table;
+use super::trace::MAX_DIGITS;
 use cordon_core::exact;
 use cordon_core::{Error, Evidence, Outcome, Result};
 use cordon_run::projection::{self, Pair, Setup};
@@ -19,7 +20,7 @@ use cordon_run::projection::{self, Pair, Setup};
 pub struct Args {
     #[command(flatten)]
     scenario: ScenarioArgs,
-    /// Ticks to run [default: up to the scenario's last protocol step]
+    /// Ticks to run, up to 100000 [default: up to the scenario's last protocol step]
     #[arg(long, value_name = "K")]
     ticks: Option<u64>,
     /// Ticks from exchange to exchange of positions; the theorem is about 1
@@ -31,9 +32,9 @@ pub struct Args {
     /// Form of the output
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     format: OutputFormat,
-    /// Decimal places, rounded half to even
-    #[arg(long, value_name = "D", default_value_t = 4)]
-    digits: usize,
+    /// Decimal places, rounded half to even, up to 10000 [default: 4]
+    #[arg(long, value_name = "D")]
+    digits: Option<usize>,
 }
 
 /// Most ticks: every tick is a row.
@@ -41,6 +42,13 @@ const MAX_TICKS: u64 = 100_000;
 
 /// Runs the local machines beside the global protocol and compares.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    if args.digits.is_some() && args.format == OutputFormat::Json {
+        return Err(Error::input("digits: expected together with the format `text` only"));
+    }
+    let digits = args.digits.unwrap_or(4);
+    if digits > MAX_DIGITS {
+        return Err(Error::input(format!("digits: `{digits}`: expected at most {MAX_DIGITS}")));
+    }
     let scenario = args.scenario.scenario()?;
     let last = scenario.tick_of_step(scenario.steps).unwrap_or(0);
     let setup = Setup {
@@ -58,7 +66,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let different = pairs.iter().find_map(|p| p.difference().map(|i| (p, i)));
     match args.format {
         OutputFormat::Text => {
-            text(&pairs, args.digits, out)?;
+            text(&pairs, digits, out)?;
             writeln!(out, "\n{}", verdict(&pairs, different))?;
         }
         OutputFormat::Json => {

@@ -1,11 +1,12 @@
 //! Signs of life of work over two seconds: on a terminal, nothing elsewhere.
 
 use std::io::{self, IsTerminal, Write};
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use cordon_core::progress::so_far;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// From when on work is long.
@@ -14,14 +15,8 @@ const LONG: Duration = Duration::from_secs(2);
 /// How often it is drawn.
 const REFRESH: Duration = Duration::from_millis(200);
 
-static DONE: AtomicU64 = AtomicU64::new(0);
-static TOTAL: AtomicU64 = AtomicU64::new(0);
 static ELSEWHERE: AtomicBool = AtomicBool::new(false);
-
-/// The command has this many pieces of work. Without it time alone is shown.
-pub fn expect(total: usize) {
-    TOTAL.store(total as u64, Relaxed);
-}
+static AT_ONCE: AtomicBool = AtomicBool::new(false);
 
 /// Says on stderr, before it begins, that work is going to be long.
 pub fn announce(what: &str) {
@@ -29,9 +24,9 @@ pub fn announce(what: &str) {
     let _ = writeln!(io::stderr(), "note: {what}");
 }
 
-/// One piece is done.
-pub fn advance() {
-    DONE.fetch_add(1, Relaxed);
+/// From now on, however short the work is.
+pub fn at_once() {
+    AT_ONCE.store(true, Relaxed);
 }
 
 /// The command shows its progress itself.
@@ -56,12 +51,14 @@ impl Heartbeat {
         let (ended, waiting) = channel::<()>();
         let drawn = bar.clone();
         let thread = std::thread::spawn(move || {
-            let mut pause = LONG;
-            while waiting.recv_timeout(pause) == Err(RecvTimeoutError::Timeout) {
-                if pause == LONG && !ELSEWHERE.load(Relaxed) {
+            let (mut waited, mut drawing) = (Duration::ZERO, false);
+            while waiting.recv_timeout(REFRESH) == Err(RecvTimeoutError::Timeout) {
+                waited += REFRESH;
+                let wanted = waited >= LONG || AT_ONCE.load(Relaxed);
+                if wanted && !drawing && !ELSEWHERE.load(Relaxed) {
                     drawn.set_draw_target(ProgressDrawTarget::stderr());
+                    drawing = true;
                 }
-                pause = REFRESH;
                 draw(&drawn);
             }
         });
@@ -70,11 +67,11 @@ impl Heartbeat {
 }
 
 fn draw(bar: &ProgressBar) {
-    let total = TOTAL.load(Relaxed);
-    let template = if total > 1 {
-        bar.set_length(total);
-        bar.set_position(DONE.load(Relaxed));
-        "{wide_bar} {pos} of {len}, {per_sec}, {eta} left"
+    let (done, expected) = so_far();
+    let template = if expected > 1 {
+        bar.set_length(expected);
+        bar.set_position(done);
+        "{wide_bar} {percent:>3}%, {per_sec}, {eta} left"
     } else {
         "{spinner} at work for {elapsed}"
     };
@@ -99,7 +96,7 @@ impl Drop for Heartbeat {
 /// A stream that may share the terminal with the heartbeat: the line is cleared while it is
 /// written.
 pub struct Beside<'h, W> {
-    /// The stream.
+    /// The stream that is written.
     pub stream: W,
     /// What is drawn, if anything is.
     pub heartbeat: Option<&'h Heartbeat>,

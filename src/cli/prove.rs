@@ -3,36 +3,36 @@
 use std::io::Write;
 use std::path::PathBuf;
 
-use cordon_check::Verdict;
 use cordon_spec::theorems::Form;
 use serde_json::{Value, json};
 
 use super::own_protocol;
-use super::progress;
 use super::select::OutputFormat;
-use cordon_core::{Error, Outcome, Result, files, range};
+use cordon_core::{Error, Outcome, Result, files, progress, range};
 use cordon_proof::certificate;
 use cordon_proof::prove::{CLAIMS, Claim, Scope};
 use cordon_proof::refute;
 
 /// Arguments of `cordon prove`.
 #[derive(clap::Args, Debug)]
+#[command(
+    override_usage = "cordon prove [OPTIONS] [CLAIMS]\n       cordon prove [OPTIONS] --protocol <FILE>"
+)]
 pub struct Args {
     /// What to prove: `all`, or names separated by commas: theorems (7.2, 7.4ii, ...), their
     /// extensions (7.2-activation, ...), 7.2-exact, 7.3-exact
-    #[arg(value_name = "CLAIMS", default_value = "all")]
+    #[arg(value_name = "CLAIMS", default_value = "all", conflicts_with = "protocol")]
     pub claims: String,
-    /// Prove or refute the claims of an own protocol instead (TOML, see `scenarios/own/`)
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["claims", "form", "eps", "drones"])]
-    pub protocol: Option<PathBuf>,
+    #[command(flatten)]
+    pub own: own_protocol::ProtocolArgs,
     /// Form of the theorems
-    #[arg(long, value_enum, default_value_t = FormChoice::Sharp)]
+    #[arg(long, value_enum, default_value_t = FormChoice::Sharp, conflicts_with = "protocol")]
     pub form: FormChoice,
     /// Weight or range of weights in the place of each theorem's own range
-    #[arg(long, value_name = "E|LO..HI", allow_hyphen_values = true)]
+    #[arg(long, value_name = "E|LO..HI", allow_hyphen_values = true, conflicts_with = "protocol")]
     pub eps: Option<String>,
-    /// Number of drones: one N >= 3, or every N
-    #[arg(long, value_name = "N|any", default_value = "any")]
+    /// Number of drones: one N from 3 to 1000000, or every N
+    #[arg(long, value_name = "N|any", default_value = "any", conflicts_with = "protocol")]
     pub drones: String,
     /// Folder to write the certificates to
     #[arg(long, value_name = "DIR")]
@@ -55,9 +55,9 @@ pub enum FormChoice {
 
 /// Searches certificates, has each one checked, and writes them.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    if let Some(path) = &args.protocol {
-        let search = own_protocol::Search::default();
-        return own_protocol::prove(path, args.out.as_deref(), &search, args.format, out);
+    if let Some((file, system)) = args.own.system()? {
+        let folder = args.out.as_deref();
+        return own_protocol::prove(&args.own, &file, &system, folder, args.format, out);
     }
     let drones = drones(&args.drones)?;
     let weights = args.eps.as_deref().map(|t| range::closed("eps", t)).transpose()?;
@@ -67,10 +67,10 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
     }
     let (mut outcome, mut rows) = (Outcome::Holds, Vec::new());
-    progress::expect(claims.len());
+    progress::expect(claims.len() as u64);
     for (claim, form) in claims {
-        progress::advance();
         let ended = attempt(claim, Scope { form, weights: weights.clone(), drones });
+        progress::advance(1);
         outcome = outcome.worst(ended.outcome);
         let mut file = None;
         if let (Some(folder), Some(certificate)) = (&args.out, &ended.certificate) {
@@ -82,6 +82,9 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             OutputFormat::Text => {
                 let place = file.map(|f| format!(" [{f}]")).unwrap_or_default();
                 writeln!(out, "{}: {}{place}", ended.name, ended.message)?;
+                if let Some(replay) = &ended.replay {
+                    writeln!(out, "  replay: {replay}")?;
+                }
                 out.flush()?;
             }
             OutputFormat::Json => rows.push(json!({
@@ -89,6 +92,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
                 "outcome": ended.label(),
                 "message": ended.message,
                 "file": file,
+                "replay": ended.replay,
                 "certificate": if file.is_none() { ended.certificate } else { None },
             })),
         }
@@ -105,6 +109,8 @@ struct Ended {
     outcome: Outcome,
     message: String,
     certificate: Option<Value>,
+    /// The command that replays a counterexample.
+    replay: Option<String>,
 }
 
 impl Ended {
@@ -132,33 +138,64 @@ fn attempt(claim: &Claim, scope: Scope) -> Ended {
     let (count, weights) = (scope.drones.map(|n| n as usize), scope.weights.as_ref());
     let evident = |t| refute::evident(t, scope.form, count, weights);
     if let Some(found) = claim.theorem.and_then(evident) {
-        return judged(name, Outcome::Refuted, "refuted", certificate::refutation(&found));
+        let refutation = certificate::refutation(&found);
+        let replay = Some(found.replay_line());
+        return Ended { replay, ..judged(name, Outcome::Refuted, "refuted", refutation) };
     }
     match claim.prove(&scope) {
         Some(certificate) => judged(name, Outcome::Holds, "proved", certificate),
         None => Ended {
             name,
             outcome: Outcome::Inconclusive,
-            message: "inconclusive: no strategy for this claim and hypothesis".into(),
+            message: format!(
+                "inconclusive: no strategy for this claim{}",
+                hindrance(claim, &scope)
+            ),
             certificate: None,
+            replay: None,
         },
+    }
+}
+
+/// The flag without which there is a strategy, where one flag alone is in the way.
+fn hindrance(claim: &Claim, scope: &Scope) -> String {
+    let without = [
+        ("--eps", scope.weights.is_some(), Scope { weights: None, ..scope.clone() }),
+        ("--drones", scope.drones.is_some(), Scope { drones: None, ..scope.clone() }),
+        (
+            "--form paper",
+            claim.theorem.is_some() && scope.form == Form::Paper,
+            Scope { form: Form::Sharp, ..scope.clone() },
+        ),
+        ("--eps and --drones", true, Scope { weights: None, drones: None, ..scope.clone() }),
+    ];
+    let found =
+        without.into_iter().find(|(_, given, wider)| *given && claim.statement(wider).is_some());
+    match found {
+        Some((flag, ..)) => format!(" with {flag}: without there is one"),
+        None => String::new(),
     }
 }
 
 /// What the independent checker says of a certificate decides.
 fn judged(name: String, outcome: Outcome, word: &str, certificate: Value) -> Ended {
-    match cordon_check::check(&certificate.to_string()) {
-        Verdict::Valid { claim, .. } => Ended {
+    match certificate::judged(&certificate) {
+        Ok(claim) => Ended {
             name,
             outcome,
             message: format!("{word}: {claim}"),
             certificate: Some(certificate),
+            replay: None,
         },
-        verdict => Ended {
+        Err(e) => Ended {
             name,
-            outcome: Outcome::Rejected,
-            message: format!("the checker rejects the certificate: {verdict}"),
+            outcome: match e {
+                Error::Rejected(_) => Outcome::Rejected,
+                _ => Outcome::Inconclusive,
+            },
+            message: e.to_string(),
             certificate: None,
+            replay: None,
         },
     }
 }

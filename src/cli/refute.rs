@@ -8,15 +8,14 @@ use num_traits::{One, Zero};
 use serde_json::{Value, json};
 
 use super::own_protocol;
-use super::progress;
 use super::scenario_args::positions;
 use super::select::{FormArg, OutputFormat};
 use super::table::{self, abridged};
 use cordon_core::exact::fraction;
 use cordon_core::linear::simplest::fractions_within;
 use cordon_core::theorems;
-use cordon_core::{Error, Outcome, Rational, Result, range};
-use cordon_proof::certificate::{self, Departure, REJECTED};
+use cordon_core::{Error, Outcome, Rational, Result, progress, range};
+use cordon_proof::certificate::{self, Departure};
 use cordon_proof::counterexample::Counterexample;
 use cordon_proof::refute::{
     Coverage, Extent, SearchResult, SearchSpace, activation, delay, search,
@@ -24,43 +23,45 @@ use cordon_proof::refute::{
 
 /// Arguments of `cordon refute`.
 #[derive(clap::Args, Debug)]
+#[command(
+    override_usage = "cordon refute [OPTIONS] <THEOREM>\n       cordon refute [OPTIONS] --protocol <FILE>"
+)]
 pub struct Args {
     /// Which theorems: numbers like 7.2 or 7.4ii, separated by commas, or `all`
-    #[arg(value_name = "THEOREM", required_unless_present = "protocol")]
-    theorem: Option<String>,
-    /// Refute the claims of an own protocol instead (TOML, see `scenarios/own/`)
     #[arg(
-        long,
-        value_name = "FILE",
-        conflicts_with_all = ["theorem", "form", "drones", "activation", "delay", "out"]
+        value_name = "THEOREM",
+        required_unless_present = "protocol",
+        conflicts_with = "protocol"
     )]
-    protocol: Option<PathBuf>,
+    theorem: Option<String>,
+    #[command(flatten)]
+    own: own_protocol::ProtocolArgs,
     /// With --protocol: only the run from this start
     #[arg(long, value_name = "X,...", allow_hyphen_values = true, requires = "protocol")]
     start: Option<String>,
     /// Form of the theorem: its start set, and its weights where --eps is not given
-    #[arg(long, value_enum, default_value_t = FormArg::Sharp)]
+    #[arg(long, value_enum, default_value_t = FormArg::Sharp, conflicts_with = "protocol")]
     form: FormArg,
     /// Number of drones, or a range, from 3 to 50
-    #[arg(long, value_name = "N|LO..HI", default_value = "3..6")]
+    #[arg(long, value_name = "N|LO..HI", default_value = "3..6", conflicts_with = "protocol")]
     drones: String,
     /// Weight or range of weights, whatever the theorem says of them [default: the theorem's]
-    #[arg(long, value_name = "E|LO..HI", allow_hyphen_values = true)]
+    #[arg(long, value_name = "E|LO..HI", allow_hyphen_values = true, conflicts_with = "protocol")]
     eps: Option<String>,
-    /// Of a range of weights, the fractions with denominators up to this are searched
+    /// Of a range of weights, the fractions with denominators up to this are searched, 1 to 100
     #[arg(long, value_name = "Q", default_value_t = 8)]
     denominators: u32,
     /// Last step, 0 to 1000
     #[arg(long, value_name = "K", default_value_t = 8)]
     steps: usize,
     /// In every step any subset of the drones may skip its update
-    #[arg(long, conflicts_with = "delay")]
+    #[arg(long, conflicts_with = "delay", conflicts_with = "protocol")]
     activation: bool,
     /// Each drone may see each neighbour up to this many steps late
-    #[arg(long, value_name = "D")]
+    #[arg(long, value_name = "D", conflicts_with = "protocol")]
     delay: Option<usize>,
     /// File for the counterexample as a certificate
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with = "protocol")]
     out: Option<PathBuf>,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
@@ -74,8 +75,13 @@ const MOST_DENOMINATORS: u32 = 100;
 /// Searches for the smallest counterexample.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     args.check()?;
-    if let Some(path) = &args.protocol {
-        return own_protocol::refute(path, &args.own_search()?, args.format, out);
+    if let Some((_, system)) = args.own.system()? {
+        let search = own_protocol::Search {
+            denominators: args.denominators,
+            steps: args.steps,
+            start: args.start.as_deref().map(positions).transpose()?,
+        };
+        return own_protocol::refute(&args.own, &system, &search, args.format, out);
     }
     let (spaces, foreign): (Vec<SearchSpace>, Vec<SearchSpace>) =
         args.spaces()?.into_iter().partition(|space| args.applies(space));
@@ -91,9 +97,8 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     }
     let mut outcome = Outcome::Holds;
     let mut results = Vec::new();
-    progress::expect(spaces.len());
+    progress::expect(spaces.iter().map(SearchSpace::pieces).sum());
     for space in &spaces {
-        progress::advance();
         let answer = match args.delay {
             Some(longest) => delay::search(space, longest)?,
             None if args.activation => activation::search(space)?,
@@ -104,9 +109,8 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             None => Outcome::Inconclusive,
         });
         let refutation = answer.found.as_ref().map(certificate::refutation);
-        if refutation.as_ref().is_some_and(|c| !certificate::accepted(c)) {
-            writeln!(out, "{REJECTED}")?;
-            return Ok(Outcome::Rejected);
+        if let Some(refutation) = &refutation {
+            certificate::judged(refutation)?;
         }
         let file = match (&args.out, &refutation) {
             (Some(path), Some(refutation)) => Some(certificate::write_file(path, refutation)?),
@@ -165,17 +169,6 @@ impl Args {
     fn applies(&self, space: &SearchSpace) -> bool {
         let plain = !self.activation && self.delay.is_none();
         plain || activation::single_placement(space.theorem, space.form)
-    }
-
-    fn own_search(&self) -> Result<own_protocol::Search> {
-        let weights = self.eps.as_ref().map(|_| self.weights()).transpose()?;
-        let start = self.start.as_deref().map(positions).transpose()?;
-        Ok(own_protocol::Search {
-            weights,
-            denominators: self.denominators,
-            steps: self.steps,
-            start,
-        })
     }
 
     fn spaces(&self) -> Result<Vec<SearchSpace>> {

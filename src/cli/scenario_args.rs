@@ -16,7 +16,7 @@ pub struct ScenarioArgs {
     /// fields
     #[arg(value_name = "SCENARIO")]
     pub file: Option<PathBuf>,
-    /// Number of drones, 3 or more [default: the length of the start]
+    /// Number of drones, 3 to 1000000 [default: the length of the start]
     #[arg(long, value_name = "N", help_heading = "Scenario")]
     pub drones: Option<usize>,
     /// Start: positions separated by commas (0,10,20,30,100), fractions and decimals allowed
@@ -46,13 +46,13 @@ pub struct ScenarioArgs {
     /// Graph of consensus and formation: path, ring or complete [default: path]
     #[arg(long, value_name = "NAME", help_heading = "Scenario")]
     pub graph: Option<String>,
-    /// Ticks from update to update [default: 1]
+    /// Ticks from update to update, 1 to 4294967295 [default: 1]
     #[arg(long, value_name = "TICKS", help_heading = "Scenario")]
     pub period: Option<u32>,
     /// Tick of the first update: first (tick 1) or last (tick `period`) [default: first]
     #[arg(long, value_name = "PHASE", help_heading = "Scenario")]
     pub phase: Option<String>,
-    /// Seconds a tick
+    /// Seconds a tick [default: none; 1/20 where drones fly]
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true, help_heading = "Scenario")]
     pub tau: Option<String>,
 }

@@ -3,27 +3,42 @@
 use std::io::Write;
 use std::path::PathBuf;
 
+use num_traits::Signed;
 use serde_json::{Value, json};
 
+use super::own_protocol;
 use super::progress;
 use super::scenario_args::positions;
 use super::select::OutputFormat;
 use cordon_core::exact::{self, decimal_string, fraction};
 use cordon_core::linear::perron::Perron;
 use cordon_core::{Error, Evidence, Outcome, Rational, Result};
-use cordon_proof::certificate::{self, REJECTED};
-use cordon_proof::settle::{Contraction, Observed, Proved, Settling, Starts, settling};
+use cordon_proof::certificate;
+use cordon_proof::settle::{Contraction, DRONES, Observed, Proved, Settling, Starts, settling};
 use cordon_proof::threshold::convergence::rounded_up_below_one;
 
 /// Arguments of `cordon settle`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// Number of drones, 3 to 10000
-    #[arg(long, value_name = "N")]
-    drones: usize,
+    #[arg(
+        long,
+        value_name = "N",
+        required_unless_present = "protocol",
+        conflicts_with = "protocol"
+    )]
+    drones: Option<usize>,
     /// Weight of the neighbours in the update, read exactly
-    #[arg(long, value_name = "E", allow_hyphen_values = true)]
-    eps: String,
+    #[arg(
+        long,
+        value_name = "E",
+        allow_hyphen_values = true,
+        required_unless_present = "protocol",
+        conflicts_with = "protocol"
+    )]
+    eps: Option<String>,
+    #[command(flatten)]
+    own: own_protocol::ProtocolArgs,
     /// Distance from the targets, in the unit of the positions
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
     within: String,
@@ -38,45 +53,57 @@ pub struct Args {
     format: OutputFormat,
 }
 
+impl Args {
+    /// The number of drones, which is given where no protocol file is.
+    fn drones(&self) -> usize {
+        self.drones.unwrap_or_default()
+    }
+}
+
 /// Numbers of drones up to this take seconds.
 const QUICK: usize = 2_000;
 
 /// Finds the settling step.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    let eps = exact::parse("eps", &args.eps)?;
     let within = exact::parse("within", &args.within)?;
+    if let Some((_, system)) = args.own.system()? {
+        let start = args.start.as_deref().map(positions).transpose()?;
+        return own_protocol::settle(&system, start.as_deref(), &within, args.format, out);
+    }
+    let eps = exact::parse("eps", args.eps.as_deref().unwrap_or_default())?;
     let starts = match &args.start {
-        None => Starts::AllWithin(args.drones),
+        None => Starts::AllWithin(args.drones()),
         Some(list) => {
             let start = positions(list)?;
-            if start.len() != args.drones {
+            if start.len() != args.drones() {
                 return Err(Error::input(format!(
                     "start: {} positions: expected {}, one a drone",
                     start.len(),
-                    args.drones
+                    args.drones()
                 )));
             }
             Starts::One(start)
         }
     };
-    if args.drones > QUICK {
-        progress::announce(&format!("{} drones: this may take some minutes", args.drones));
+    if args.drones() > QUICK && DRONES.contains(&args.drones()) && within.is_positive() {
+        progress::announce(&format!("{} drones: this may take some minutes", args.drones()));
     }
     let found = settling(&starts, &eps, &within)?;
     let (name, certificate) = match &found {
-        Settling::Settles { proved, .. } => ("contraction", contraction(args.drones, &eps, proved)),
-        Settling::NotFromEveryStart(w) => {
-            ("growth", Some(certificate::growth(args.drones, &eps, &w.weights)))
+        Settling::Settles { proved, .. } => {
+            ("contraction", contraction(args.drones(), &eps, proved))
         }
-        Settling::Stays(_) | Settling::NeverFromThisStart | Settling::Undecided => ("", None),
+        Settling::NotFromEveryStart(w) => {
+            ("growth", Some(certificate::growth(args.drones(), &eps, &w.weights)))
+        }
+        Settling::Stays { .. } | Settling::NeverFromThisStart | Settling::Undecided => ("", None),
     };
-    if certificate.as_ref().is_some_and(|c| !certificate::accepted(c)) {
-        writeln!(out, "{REJECTED}")?;
-        return Ok(Outcome::Rejected);
+    if let Some(certificate) = &certificate {
+        certificate::judged(certificate)?;
     }
     let file = match (&args.out, &certificate) {
         (Some(folder), Some(c)) => {
-            let name = format!("{name}-{}", args.drones);
+            let name = format!("{name}-{}", args.drones());
             Some(certificate::write(folder, &name, c)?.display().to_string())
         }
         _ => None,
@@ -87,7 +114,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             writeln!(
                 out,
                 "settling: N = {}, eps = {}, within {} of the targets, from {which}",
-                args.drones,
+                args.drones(),
                 fraction(&eps),
                 fraction(&within)
             )?;
@@ -99,7 +126,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         OutputFormat::Json => {
             let page = json!({
                 "schema": "cordon-settle/1",
-                "drones": args.drones,
+                "drones": args.drones(),
                 "eps": fraction(&eps),
                 "within": fraction(&within),
                 "start": args.start.as_ref().map_or("every", |_| "given"),
@@ -110,7 +137,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         }
     }
     Ok(match found {
-        Settling::Settles { observed: Observed::Step(_), .. } | Settling::Stays(_) => {
+        Settling::Settles { observed: Observed::Step(_), .. } | Settling::Stays { .. } => {
             Outcome::Holds
         }
         Settling::NeverFromThisStart => Outcome::Refuted,
@@ -183,7 +210,7 @@ fn text(args: &Args, found: &Settling, out: &mut dyn Write) -> Result<()> {
                 writeln!(out, "          whether this one does is not decided")?;
             }
         }
-        Settling::Stays(step) => {
+        Settling::Stays { step, .. } => {
             writeln!(
                 out,
                 "  true    step {step:<8} within the distance for ever, though not every start converges at this weight"
@@ -224,9 +251,9 @@ fn as_json(found: &Settling) -> Value {
             "evidence": "growth",
             "vector": vector(w),
         }),
-        Settling::Stays(step) => json!({
+        Settling::Stays { step, converges } => json!({
             "settles": true,
-            "converges": false,
+            "converges": converges,
             "true": { "step": step, "evidence": "closed form of the errors" },
         }),
         Settling::NeverFromThisStart => json!({

@@ -10,7 +10,7 @@ use cordon_core::{Outcome, Result};
 /// Arguments of `cordon completions`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// The shell
+    /// The shell whose language the script is in
     #[arg(value_enum)]
     shell: Shell,
 }

@@ -11,10 +11,10 @@ use cordon_run::swarm::Swarm;
 /// Arguments of `cordon swarm`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Number of drones
+    /// Number of drones, 3 to 100000000
     #[arg(long, value_name = "N", default_value_t = 1_000_000)]
     drones: usize,
-    /// Protocol steps
+    /// Protocol steps; drones times steps up to 10^12
     #[arg(long, value_name = "K", default_value_t = 1000)]
     steps: u64,
     /// Weight of the neighbours in the update: a fraction or a decimal, read exactly

@@ -6,11 +6,14 @@ use std::path::PathBuf;
 use num_traits::One;
 use serde_json::{Value, json};
 
+use super::own_protocol;
 use super::select::OutputFormat;
 use super::separation::threshold::{self as separation, LoopArgs};
 use cordon_core::exact::{decimal_string, fraction};
-use cordon_core::{Evidence, Outcome, Rational, Result};
-use cordon_proof::certificate::{self, REJECTED};
+use cordon_core::system::System;
+use cordon_core::{Error, Evidence, Outcome, Rational, Result};
+use cordon_proof::certificate;
+use cordon_proof::claims::threshold as claims;
 use cordon_proof::threshold::convergence::{self, Bracket};
 use cordon_proof::threshold::safety::{self, Cone, Critical};
 use cordon_proof::threshold::{check_size, invariance};
@@ -19,12 +22,17 @@ use cordon_proof::threshold::{check_size, invariance};
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// The property whose critical weight is wanted
-    #[arg(long, value_enum)]
-    property: Property,
-    /// Number of drones, 3 to 1000 (not for separation, which is the same for all numbers)
-    #[arg(long, value_name = "N", required_if_eq_any(OF_DRONES))]
+    #[arg(long, value_enum, required_unless_present = "protocol")]
+    property: Option<Property>,
+    #[command(flatten)]
+    own: own_protocol::ProtocolArgs,
+    /// With --protocol: the parameter whose critical value is wanted [default: the only one with a range]
+    #[arg(long, value_name = "NAME", requires = "protocol", help_heading = "Own protocol")]
+    parameter: Option<String>,
+    /// Number of drones, 3 to 1000; separation is the same for all numbers
+    #[arg(long, value_name = "N", conflicts_with = "protocol")]
     drones: Option<usize>,
-    /// Decimal places of the bracket, 1 to 1000 [default: 10; separation: 1 to 4, 2]
+    /// Decimal places of the bracket, 1 to 1000 [default: 10, with --protocol 4; separation: 1 to 4, 2]
     #[arg(long, value_name = "D")]
     digits: Option<usize>,
     #[command(flatten)]
@@ -43,15 +51,13 @@ enum Property {
     Ordering,
     /// Theorem 7.3: no drone passes its target
     Bound,
-    /// Theorem 7.8: every drone converges to its target
+    /// Theorem 7.8: every drone converges to its target; with --protocol as the file claims
     Convergence,
+    /// The claims of a protocol file
+    Claims,
     /// Drones in flight keep the smallest gap: the critical gain lambda_P
     Separation,
 }
-
-/// The properties of the protocol alone.
-const OF_DRONES: [(&str, &str); 3] =
-    [("property", "ordering"), ("property", "bound"), ("property", "convergence")];
 
 impl Property {
     fn name(self) -> &'static str {
@@ -59,6 +65,7 @@ impl Property {
             Self::Ordering => "ordering",
             Self::Bound => "bound",
             Self::Convergence => "convergence",
+            Self::Claims => "claims",
             Self::Separation => "separation",
         }
     }
@@ -72,45 +79,94 @@ type Named = (String, Value);
 
 /// Finds the critical weight.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    if args.property != Property::Separation {
-        check_size(args.count(), args.places())?;
+    if let Some((_, system)) = args.own.system()? {
+        return own(args, &system, out);
     }
-    match args.property {
+    if args.property() == Property::Separation {
+        let folder = args.out.as_deref();
+        return separation::run(&args.flight, args.digits, folder, args.format, out);
+    }
+    if args.drones.is_none() {
+        return Err(Error::input("drones: expected --drones N, a number from 3 to 1000"));
+    }
+    check_size(args.drones(), args.digits())?;
+    match args.property() {
         Property::Ordering => keep(args, Cone::PositiveGaps, out),
         Property::Bound => keep(args, Cone::NonnegativeErrors, out),
         Property::Convergence => converge(args, out),
-        Property::Separation => {
-            let folder = args.out.as_deref();
-            separation::run(&args.flight, args.digits, folder, args.format, out)
+        Property::Claims | Property::Separation => {
+            Err(Error::input("property: `claims`: expected --protocol with it"))
         }
     }
 }
 
+impl Args {
+    /// The property, which is given where no protocol file is.
+    fn property(&self) -> Property {
+        self.property.unwrap_or(Property::Ordering)
+    }
+
+    fn drones(&self) -> usize {
+        self.drones.unwrap_or_default()
+    }
+
+    fn digits(&self) -> usize {
+        self.digits.unwrap_or(10)
+    }
+}
+
+/// Most decimal places of a bracket of an own protocol: every one takes some proofs.
+const MOST_OWN_DIGITS: usize = 50;
+
+fn own(args: &Args, system: &System, out: &mut dyn Write) -> Result<Outcome> {
+    let property = match args.property {
+        Some(Property::Convergence) => claims::Property::Convergence,
+        Some(Property::Claims) => claims::Property::Claims,
+        None if system.claims.is_empty() => claims::Property::Convergence,
+        None => claims::Property::Claims,
+        Some(other) => {
+            return Err(Error::input(format!(
+                "property: `{}`: expected `claims` or `convergence` with --protocol",
+                other.name()
+            )));
+        }
+    };
+    if args.out.is_some() {
+        return Err(Error::input(
+            "out: expected none with --protocol: `cordon prove --set` writes certificates",
+        ));
+    }
+    let digits = args.digits.unwrap_or(4);
+    if digits > MOST_OWN_DIGITS {
+        return Err(Error::input(format!(
+            "digits: `{digits}`: expected at most {MOST_OWN_DIGITS} with --protocol"
+        )));
+    }
+    own_protocol::threshold(system, args.parameter.as_deref(), property, digits, args.format, out)
+}
+
 fn keep(args: &Args, cone: Cone, out: &mut dyn Write) -> Result<Outcome> {
-    let Some(found) = safety::critical(cone, args.count(), args.places()) else {
+    let Some(found) = safety::critical(cone, args.drones(), args.digits()) else {
         return not_found(out);
     };
     let mut certificates = Vec::new();
     for (side, eps) in [("at-0", &num_traits::Zero::zero()), ("below", &found.critical)] {
         certificates.extend(
-            invariance::certificate(cone, args.count(), eps).map(|c| (args.file_name(side), c)),
+            invariance::certificate(cone, args.drones(), eps).map(|c| (args.file_name(side), c)),
         );
     }
     certificates.push((args.file_name("above"), certificate::refutation(&found.above)));
-    let Some(files) = judged_and_written(args, &certificates)? else {
-        writeln!(out, "{REJECTED}")?;
-        return Ok(Outcome::Rejected);
-    };
+    let files = judged_and_written(args, &certificates)?;
     match args.format {
         OutputFormat::Text => {
             keep_text(args, &found, out)?;
-            writeln!(out, "{}", certified(certificates.len(), args.count()))?;
+            writeln!(out, "{}", certified(certificates.len(), args.drones()))?;
         }
         OutputFormat::Json => {
             let page = json!({
                 "schema": "cordon-threshold/1",
-                "property": args.property.name(),
-                "drones": args.count(),
+                "property": args.property().name(),
+                "drones": args.drones(),
                 "critical": fraction(&found.critical),
                 "exact": true,
                 "holds_at_critical": true,
@@ -143,7 +199,7 @@ fn keep_text(args: &Args, found: &Critical, out: &mut dyn Write) -> Result<()> {
         Cone::NonnegativeErrors => ("not beyond its targets", "error"),
     };
     let [constant, slope] = &found.witness.coefficients;
-    let (name, n) = (args.property.name(), args.count());
+    let (name, n) = (args.property().name(), args.drones());
     writeln!(out, "{name} ({}), N = {n}: critical weight {critical} exactly", theorem.number())?;
     writeln!(
         out,
@@ -182,21 +238,18 @@ fn affine_text(constant: &str, slope: &str) -> String {
 }
 
 fn converge(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    let Some(found) = convergence::bracket(args.count(), args.places()) else {
+    let Some(found) = convergence::bracket(args.drones(), args.digits()) else {
         return not_found(out);
     };
     let w = &found.vector.weights;
     let certificates = [
         (
             args.file_name("below"),
-            certificate::contraction(args.count(), &found.below, &found.rate, w),
+            certificate::contraction(args.drones(), &found.below, &found.rate, w),
         ),
-        (args.file_name("above"), certificate::growth(args.count(), &found.above, w)),
+        (args.file_name("above"), certificate::growth(args.drones(), &found.above, w)),
     ];
-    let Some(files) = judged_and_written(args, &certificates)? else {
-        writeln!(out, "{REJECTED}")?;
-        return Ok(Outcome::Rejected);
-    };
+    let files = judged_and_written(args, &certificates)?;
     match args.format {
         OutputFormat::Text => {
             converge_text(args, &found, out)?;
@@ -205,9 +258,9 @@ fn converge(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         OutputFormat::Json => {
             let page = json!({
                 "schema": "cordon-threshold/1",
-                "property": args.property.name(),
-                "drones": args.count(),
-                "digits": args.places(),
+                "property": args.property().name(),
+                "drones": args.drones(),
+                "digits": args.digits(),
                 "critical": found.exact.as_ref().map(fraction),
                 "exact": found.exact.is_some(),
                 "holds_at_critical": false,
@@ -223,8 +276,8 @@ fn converge(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
 }
 
 fn converge_text(args: &Args, found: &Bracket, out: &mut dyn Write) -> Result<()> {
-    let n = args.count();
-    let below = decimal_string(&found.below, args.places());
+    let n = args.drones();
+    let below = decimal_string(&found.below, args.digits());
     match &found.exact {
         Some(exact) => writeln!(
             out,
@@ -234,12 +287,12 @@ fn converge_text(args: &Args, found: &Bracket, out: &mut dyn Write) -> Result<()
         None => writeln!(
             out,
             "convergence (7.8), N = {n}: critical weight {below}... ({} places, not rounded)",
-            args.places()
+            args.digits()
         )?,
     }
     let above = match &found.exact {
         Some(exact) => fraction(exact),
-        None => decimal_string(&found.above, args.places()),
+        None => decimal_string(&found.above, args.digits()),
     };
     writeln!(
         out,
@@ -264,7 +317,7 @@ fn converge_text(args: &Args, found: &Bracket, out: &mut dyn Write) -> Result<()
     Ok(())
 }
 
-/// 10^-m as such.
+/// A fraction in short: powers of ten as 10^-m.
 fn short(unit: &Rational) -> String {
     let text = unit.denom().to_string();
     match text.strip_prefix('1').filter(|z| z.bytes().all(|b| b == b'0')) {
@@ -274,31 +327,23 @@ fn short(unit: &Rational) -> String {
 }
 
 impl Args {
-    fn count(&self) -> usize {
-        self.drones.unwrap_or_default()
-    }
-
-    fn places(&self) -> usize {
-        self.digits.unwrap_or(10)
-    }
-
     fn file_name(&self, side: &str) -> String {
-        format!("{}-{}-{side}", self.property.name(), self.count())
+        format!("{}-{}-{side}", self.property().name(), self.drones())
     }
 }
 
-/// Has the certificates checked and writes them; the files, or `None` where one is rejected.
-fn judged_and_written(args: &Args, certificates: &[Named]) -> Result<Option<Vec<String>>> {
-    if !certificates.iter().all(|(_, c)| certificate::accepted(c)) {
-        return Ok(None);
+/// Has the certificates checked and writes them; the files.
+fn judged_and_written(args: &Args, certificates: &[Named]) -> Result<Vec<String>> {
+    for (_, found) in certificates {
+        certificate::judged(found)?;
     }
     let Some(folder) = &args.out else {
-        return Ok(Some(Vec::new()));
+        return Ok(Vec::new());
     };
     let files = certificates
         .iter()
         .map(|(name, c)| Ok(certificate::write(folder, name, c)?.display().to_string()));
-    files.collect::<Result<_>>().map(Some)
+    files.collect()
 }
 
 fn list_files(args: &Args, files: &[String], out: &mut dyn Write) -> Result<()> {

@@ -328,6 +328,59 @@ fn bad_input_is_named() {
 
 /// What does not apply is a result where all were asked for, and comes before any work where one
 /// was named.
+/// What the checker cannot read for its length is no fault of the search; and stdout has the result
+/// or nothing.
+#[test]
+fn numbers_beyond_the_checkers_limits_are_named() {
+    let long = |digits: usize| format!("1.{}1", "0".repeat(digits));
+    for format in ["text", "json"] {
+        let own = ["--protocol", "scenarios/own/hasty-coverage.toml"];
+        let eps = long(2_200);
+        let calls: [&[&str]; 2] = [
+            &["refute", "7.2", "--drones", "4", "--eps", &eps, "--format", format],
+            &["settle", "--drones", "5", "--within", "1", "--eps", &eps, "--format", format],
+        ];
+        for call in calls {
+            let (code, out, err) = run(call);
+            assert_eq!((code, out.as_str()), (2, ""), "{err}");
+            assert!(err.contains("beyond the limits of the independent checker"), "{err}");
+            assert!(err.contains("at most 2100 characters") && !err.contains("fault"), "{err}");
+        }
+        let eps = long(20);
+        let (code, out, _) =
+            run(&["refute", "7.2", "--drones", "4", "--eps", &eps, "--format", format]);
+        assert!(code == 1 && !out.is_empty());
+        let (code, ..) = run(&[&["refute"][..], &own, &["--eps", &long(2_200)]].concat());
+        assert_eq!(code, 1, "a run needs no certificate");
+    }
+    let (code, out, _) = run(&["prove", "7.2", "--eps", &format!("0..0.{}1", "0".repeat(2_200))]);
+    assert_eq!(code, 3);
+    assert!(out.contains("beyond the limits of the independent checker"), "{out}");
+}
+
+#[test]
+fn a_long_refutation_is_shown_by_its_ends() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("slow.toml");
+    let text =
+        "drones = 1\nstart = [\"x0 = 0\"]\nclaim = [\"x0 < 300\"]\n[update]\nx0 = \"x0 + 1\"\n";
+    std::fs::write(&file, text).unwrap();
+    let file = file.display().to_string();
+    let start = ["refute", "--protocol", &file, "--steps", "400", "--start", "0"];
+    let (code, out, err) = run(&start);
+    assert_eq!(code, 1, "{err}");
+    assert!(out.contains("fails at step 300") && out.contains("\n   ...\n"), "{out}");
+    assert!(out.lines().count() < 50, "{out}");
+}
+
+#[test]
+fn an_inconclusive_proof_names_the_flag_that_is_in_the_way() {
+    let (code, out, _) = run(&["prove", "projection", "--eps", "0..1/2"]);
+    assert_eq!(code, 3);
+    assert!(out.contains("no strategy for this claim with --eps: without there is one"), "{out}");
+    assert_eq!(run(&["prove", "projection"]).0, 0);
+}
+
 #[test]
 fn not_applicable_is_a_result() {
     let (code, out, err) =
@@ -466,6 +519,38 @@ fn every_command_has_an_example_and_completions_offer_numbers_and_files() {
         assert_eq!(code, 0, "{command}");
         let examples = out.split("Example").nth(1).unwrap_or_else(|| panic!("{command}: {out}"));
         assert!(examples.contains(&format!("cordon {command}")) || command == "export", "{out}");
+    }
+    // What has a limit says so, and is held to it.
+    for (command, limit, beyond) in [
+        ("trace", "10,000 decimal places", "trace scenarios/paper.toml --digits 10001"),
+        ("trace", "10,000,000 rows", "trace scenarios/paper.toml --steps 10000001"),
+        ("local", "100,000 ticks", "local scenarios/paper.toml --ticks 100001"),
+        ("swarm", "100,000,000 drones", "swarm --drones 100000001"),
+        ("swarm", "1,000,000,000,000 drone", "swarm --drones 1000 --steps 1000000001"),
+        ("cosim", "67,108,864 positions", "cosim scenarios/paper.toml --duration 400000"),
+        ("sweep", "3 to 64 drones", "sweep 7.2 --drones 65"),
+        ("sweep", "100,000 steps", "sweep 7.2 --steps 100001"),
+        ("sweep", "1,000,000 weights", "sweep 7.2 --max-denominator 2000"),
+        ("sweep", "1,024 threads", "sweep 7.2 --threads 1025"),
+        ("refute", "3 to 50 drones", "refute 7.2 --drones 51"),
+        ("refute", "12 with --activation", "refute 7.2 --drones 13 --activation"),
+        ("refute", "1,000 steps", "refute 7.2 --steps 1001"),
+        ("refute", "denominators up to 100", "refute 7.2 --denominators 101"),
+        ("refute", "100,000 patterns", "refute 7.2 --drones 12 --delay 3"),
+        ("prove", "one N up to 1,000,000", "prove 7.2 --drones 1000001"),
+        ("threshold", "3 to 1,000 drones", "threshold --property bound --drones 1001"),
+        ("threshold", "1,000 decimal", "threshold --property bound --drones 5 --digits 1001"),
+        ("settle", "3 to 10,000 drones", "settle --drones 10001 --eps 1/4 --within 1"),
+        ("export smt2", "3 to 9 drones", "export smt2 7.2 --drones 10"),
+        ("export smt2", "8 steps", "export smt2 7.2 --drones 4 --negate --steps 9"),
+    ] {
+        let args: Vec<&str> = command.split(' ').chain(["--help"]).collect();
+        let (_, help, _) = run(&args);
+        let words = help.split_whitespace().collect::<Vec<_>>().join(" ");
+        let limits = words.split("Limits: ").nth(1).unwrap_or_else(|| panic!("{command}"));
+        assert!(limits.contains(limit), "{command}: {limits}");
+        let (code, out, err) = run(&beyond.split(' ').collect::<Vec<_>>());
+        assert_eq!((code, out.as_str()), (2, ""), "{beyond}: {err}");
     }
     // All there are, but those that moved and those about the program itself.
     let (_, help, _) = run(&["--help"]);

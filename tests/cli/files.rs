@@ -167,6 +167,58 @@ fn an_input_is_never_the_output() {
     assert_eq!(fs::read(&input).unwrap(), scenario);
 }
 
+/// What a scenario names is an input too, by whichever name, and so is what stands beside a run.
+#[test]
+fn what_a_scenario_names_is_never_the_output() {
+    let folder = Folder::new();
+    let fmu = folder.with("glider.csv", "no FMU, and not looked at before the output is");
+    let scenario = "start = [0, 10, 20, 30, 100]\nweight = 0.2\n[[unit]]\ndrone = 1\nunit = \"plant\"\nfmu = \"glider.csv\"\n";
+    let input = folder.with("s.toml", scenario);
+    // The companion of `s.csv` would be `s.csv.json`.
+    let companion = folder.with("s.csv.json", "a file that is no input");
+    let beside = folder.with("t.csv.json", "{\"fmus\": {}, \"connections\": {}}");
+    let page = folder.name("page.html");
+    let calls: [&[&str]; 3] = [
+        &["cosim", &input, "--out", &fmu],
+        &["cosim", &input, "--format", "json", "--out", &fmu],
+        &["replay", &input, "--out", &fmu],
+    ];
+    for call in calls {
+        let (code, out, err) = run(call);
+        assert_eq!((code, out.as_str()), (2, ""), "{call:?}");
+        assert!(err.contains("--out: `") && err.contains("no input of the command"), "{err}");
+    }
+    assert!(fs::read_to_string(&fmu).unwrap().starts_with("no FMU"));
+    // Twins that are accepted: another file; a companion that nobody reads.
+    let (code, _, err) = run(&["replay", &input, "--out", &page]);
+    assert!(code == 2 && err.contains("expected an FMU, a whole zip archive"), "{err}");
+    let own = folder.with("own.toml", "start = [0, 10, 20, 30, 100]\nweight = 0.2\n");
+    assert_eq!(run(&["cosim", &own, "--out", &folder.name("s.csv")]).0, 0);
+    assert!(fs::read_to_string(companion).unwrap().contains("cordon-cosim-companion/1"));
+    // A multi-model beside the run that would take its place.
+    let (code, _, _) = run(&["cosim", &beside, "--out", &folder.name("t.csv")]);
+    assert_eq!(code, 2);
+    assert!(fs::read_to_string(&beside).unwrap().contains("fmus"));
+}
+
+#[test]
+fn the_name_of_a_run_file_says_its_form() {
+    let folder = Folder::new();
+    let flown = |name: &str, more: &[&str]| {
+        let out = folder.name(name);
+        run(&[&["cosim", "scenarios/paper.toml", "--duration", "1", "--out", &out], more].concat())
+    };
+    assert_eq!(flown("run.JSON", &[]).0, 0);
+    assert!(fs::read_to_string(folder.at("run.JSON")).unwrap().contains("cordon-cosim/1"));
+    assert_eq!(run(&["replay", &folder.name("run.JSON"), "--out", &folder.name("p.html")]).0, 0);
+    let (code, _, err) = flown("run.txt", &[]);
+    assert_eq!((code, folder.at("run.txt").exists()), (2, false));
+    assert!(err.contains("run.txt`: expected a name that ends in .csv, .json or"), "{err}");
+    assert_eq!(flown("run.txt", &["--format", "csv"]).0, 0);
+    assert_eq!(flown("run", &[]).0, 0);
+    assert!(fs::read_to_string(folder.at("run")).unwrap().starts_with("time,"));
+}
+
 #[test]
 fn reading_has_a_limit() {
     let folder = Folder::new();

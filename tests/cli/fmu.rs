@@ -4,6 +4,7 @@ use std::io::{Cursor, Read, Write};
 use std::path::{Path, PathBuf};
 
 use crate::common::run;
+use crate::common::schema::meets;
 use cordon_cosim::fmi::interface::{FmiVersion, Model, TAU};
 use cordon_cosim::fmi::slave::{Mode, Severity, Slave};
 use cordon_cosim::unit::{Causality, Kind, Value};
@@ -100,6 +101,8 @@ fn a_state_that_went_through_bytes_goes_on_as_before() {
             feed(&mut a, k);
         }
         let bytes = a.save().unwrap().to_bytes();
+        let page = serde_json::from_slice(&bytes).unwrap();
+        meets("cordon-fmu-state/1", &page, "the state of an FMU");
         let at_10 = outputs(model, &mut a);
         for k in 10..20 {
             feed(&mut a, k);
@@ -252,6 +255,19 @@ fn a_multi_model_that_was_written_is_read_as_the_same_scenario() {
         let (code, _, err) = run(&["cosim", &model, "--out", &b]);
         assert_eq!(code, 0, "{err}");
         assert_eq!(fs::read(&a).unwrap(), fs::read(&b).unwrap(), "{scenario}");
+        // It is flown for a page as well, and neither it nor its FMUs are written over.
+        let page = path("page.html");
+        let (code, _, err) = run(&["replay", &model, "--out", &page]);
+        assert_eq!(code, 0, "{err}");
+        let before = fs::read(&model).unwrap();
+        let in_place: [&[&str]; 2] = [
+            &["export", "into-cps", &model, "--out", &folder],
+            &["replay", &model, "--out", &path("system/cordon_plant.fmu")],
+        ];
+        for call in in_place {
+            fails(call, 2, &["out: `", "expected a file that is no input of the command"]);
+        }
+        assert_eq!(fs::read(&model).unwrap(), before);
         // Read and written again it is the same file.
         let again = path("again");
         assert_eq!(run(&["export", "into-cps", &model, "--out", &again]).0, 0);
@@ -399,5 +415,5 @@ fn an_fmu_that_cannot_take_a_units_place_is_named_with_the_reason() {
     fails(&["cosim", &scenario], 2, &["s.toml:5:8: unit: `rotor` is unknown"]);
     let beyond = "start = [0, 1, 3]\nweight = 0.5\n[[unit]]\ndrone = 7\nunit = \"plant\"\nfmu = \"plant.fmu\"\n";
     fs::write(&scenario, beyond).unwrap();
-    fails(&["cosim", &scenario], 2, &["unit: drone 7: expected one of the 3 drones"]);
+    fails(&["cosim", &scenario], 2, &["s.toml:3:1: unit 1: drone `7`: expected 0 to 2"]);
 }

@@ -42,17 +42,33 @@ trace scenarios/consensus.toml --min 0
 trace scenarios/faults.toml
 trace tests/cases/cli/drones-as-text.toml
 trace tests/cases/cli/unknown-field.toml
+trace tests/cases/cli/eps-and-weight.toml
+trace tests/cases/cli/table-for-text.toml
+trace tests/cases/cli/list-for-text.toml
+trace tests/cases/cli/decimal-for-whole.toml
+trace scenarios/paper.toml --form paper
+trace scenarios/paper.toml --format json --numbers fraction
+trace scenarios/paper.toml --format itf --digits 3
+trace scenarios/paper.toml --numbers fraction --digits 3
+trace scenarios/paper.toml --at -1
 trace LICENSE-MIT
 trace scenarios
 trace no-such-file.toml
 local scenarios/paper.toml --exchange-every 0
 local scenarios/paper.toml --ratio -1
 local scenarios/paper.toml --ticks 100001
+local scenarios/paper.toml --digits 3 --format json
+local scenarios/paper.toml --digits 10001
 cosim scenarios/paper.toml --master slave
 cosim scenarios/paper.toml --integrator rk4
 cosim scenarios/paper.toml --exchange morse
 cosim scenarios/paper.toml --duration 1.02
 cosim scenarios/paper.toml --duration -1
+cosim scenarios/paper.toml --duration 0
+cosim scenarios/paper.toml --seed -1
+cosim scenarios/paper.toml --out target/run.txt
+cosim tests/cases/cli/fault-of-no-drone.toml
+cosim tests/cases/cli/fault-on-no-link.toml
 cosim scenarios/paper.toml --tau 1000
 cosim scenarios/paper.toml --out scenarios/paper.toml
 cosim scenarios/paper.toml --out no/such/folder/run.csv
@@ -70,6 +86,7 @@ sweep 7.2 --drones 2..4
 sweep 7.2 --drones many
 sweep 7.2 --eps 1/0
 sweep 7.2 --eps-range 1..0
+sweep 7.2 --max-denominator 1000000000
 sweep 7.2 --grid 0
 sweep 7.2 --sample 0
 sweep 7.2 --steps 100001
@@ -86,15 +103,18 @@ refute 7.2 --denominators 0
 refute 7.5i --activation
 refute 7.2 --activation --drones 40
 refute --protocol scenarios/paper.toml
+refute --protocol scenarios/own/hasty-coverage.toml --drones 3
 prove 9.9
 prove 7.2 --drones 2
 prove 7.2 --eps 1/2..0
 prove --protocol no-such-file.toml
+prove 7.2 --protocol scenarios/own/hasty-coverage.toml
 check no-such-file.json
 check LICENSE-MIT
 threshold --property ordering --drones 2
 threshold --property ordering --drones 5 --digits 0
 settle --drones 2 --eps 1/4 --within 1
+settle --drones 10001 --eps 1/4 --within 1
 settle --drones 5 --eps 1/4 --within 0
 settle --drones 5 --eps 1/4 --within 1 --start 0,1,2
 export smt2 9.9
@@ -136,5 +156,5 @@ fn every_message_is_as_it_was_read() {
         assert_eq!(found, expected);
     }
     assert_eq!(found.len(), expected.len());
-    assert_eq!(CALLS.lines().count(), 98);
+    assert_eq!(CALLS.lines().count(), 118);
 }

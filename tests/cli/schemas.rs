@@ -2,57 +2,8 @@
 use std::fs;
 use std::path::PathBuf;
 
-use boon::{Compiler, Draft, SchemaIndex, Schemas};
-use serde_json::{Value, json};
-
 use crate::common::run;
-
-struct Schema {
-    schemas: Schemas,
-    index: SchemaIndex,
-}
-
-impl Schema {
-    /// The schema of a format like `cordon-trace/1`.
-    fn of(format: &str) -> Self {
-        let path = path_of(format);
-        let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
-        let mut schemas = Schemas::new();
-        let mut compiler = Compiler::new();
-        compiler.set_default_draft(Draft::V2020_12);
-        let name = "schema.json";
-        compiler.add_resource(name, serde_json::from_str(&text).unwrap()).unwrap();
-        let index = compiler.compile(name, &mut schemas).unwrap();
-        Self { schemas, index }
-    }
-
-    fn accepts(&self, page: &Value) -> Result<(), String> {
-        self.schemas.validate(page, self.index).map_err(|e| e.to_string())
-    }
-}
-
-fn path_of(format: &str) -> PathBuf {
-    PathBuf::from("schemas").join(format!("{}.json", format.replace('/', "-")))
-}
-
-fn parsed(text: &str) -> Value {
-    serde_json::from_str(text).unwrap_or_else(|e| panic!("{e}: {text}"))
-}
-
-/// Holds a page against its schema; then takes each of its fields away and adds one: both have
-/// to be noticed.
-fn meets(format: &str, page: &Value, what: &str) {
-    let schema = Schema::of(format);
-    schema.accepts(page).unwrap_or_else(|e| panic!("{what}: {e}"));
-    let mut more = page.clone();
-    more["surplus"] = json!(0);
-    assert!(schema.accepts(&more).is_err(), "{what}: a field that the schema does not know");
-    let mut other = page.clone();
-    if other.get("schema").is_some() {
-        other["schema"] = json!("cordon-other/1");
-        assert!(schema.accepts(&other).is_err(), "{what}: another format");
-    }
-}
+use crate::common::schema::{meets, parsed, path_of};
 
 #[test]
 fn what_commands_print_meets_its_schema() {
@@ -62,13 +13,19 @@ fn what_commands_print_meets_its_schema() {
         "trace scenarios/paper-unstable.toml --steps 9 --check 7.2,7.3",
         "trace scenarios/consensus.toml --steps 2",
         "trace scenarios/paper.toml --at 3,1000 --engine digits",
+        "trace scenarios/paper.toml --at 3,1000 --verify 2 --seed 1",
         "errata",
         "local scenarios/paper.toml --ticks 20",
         "local scenarios/paper.toml --ratio 7/2 --ticks 20",
         &format!("prove --protocol {own}"),
         &format!("refute --protocol {own}"),
+        "prove --protocol scenarios/own/digraph.toml",
+        "prove --protocol scenarios/own/hasty-coverage.toml",
+        "threshold --protocol scenarios/own/hasty-coverage.toml --digits 2",
+        "settle --protocol scenarios/own/digraph.toml --within 1/10",
         "prove 7.2",
         "prove 7.2 --drones 4 --eps 0..1",
+        "prove 7.8 --form paper",
         "refute 7.2 --drones 4 --eps 3/5",
         "refute 7.2 --drones 3",
         "refute all --activation --drones 3 --steps 2",
@@ -76,9 +33,10 @@ fn what_commands_print_meets_its_schema() {
         "settle --drones 5 --eps 1/4 --within 0.01",
         "settle --drones 5 --eps 0.6 --within 0.01",
         "settle --drones 3 --eps 1 --within 10",
+        "settle --drones 3 --eps 1 --within 10 --start 0,1,2",
         "settle --drones 3 --eps 1 --within 0.1 --start 0,1,4",
         "swarm --drones 1000 --steps 5",
-        "sweep 7.2,7.6ii --drones 3 --grid 4 --steps 3",
+        "sweep 7.2,7.6ii --form both --drones 3 --grid 4 --steps 3",
         "sweep 7.8 --form paper --drones 4 --eps 2/3 --complete --steps 3",
         "sweep 7.2 --drones 3 --sample 5 --seed 1 --eps 1/3 --steps 3",
         "theorems",
@@ -87,6 +45,7 @@ fn what_commands_print_meets_its_schema() {
         "threshold --property separation --digits 1",
         "separation scenarios/paper.toml",
         "separation scenarios/paper.toml --wind 1/2",
+        "separation scenarios/quick.toml",
         "separation scenarios/paper-unstable.toml",
         "check proofs/certificates/7.2-sharp.json Cargo.toml no-such-file",
         "cosim scenarios/paper.toml --duration 1",
@@ -123,7 +82,7 @@ fn what_commands_write_meets_its_schema() {
     meets("cordon-cosim-companion/1", &companion, "companion");
     let mut lines = 0;
     for args in [
-        "7.2,7.6ii --drones 3 --grid 4 --steps 3",
+        "7.2,7.6ii --form both --drones 3 --grid 4 --steps 3",
         "7.2 --drones 3 --complete --steps 3",
         "7.8 --form paper --drones 4 --eps 2/3 --complete --steps 3",
         "7.2 --drones 3 --sample 5 --seed 1 --eps 1/3 --steps 3",
@@ -151,13 +110,61 @@ fn records_of_the_repository_meet_their_schemas() {
     }
 }
 
+/// Of every kind, by whichever command wrote it; and what is no certificate meets no schema.
+#[test]
+fn certificates_meet_their_schema() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().display().to_string();
+    for args in [
+        "settle --drones 5 --eps 1/4 --within 0.01",
+        "settle --drones 5 --eps 0.6 --within 0.01",
+        "threshold --property bound --drones 5",
+        "prove 7.8 --form paper",
+        "prove --protocol scenarios/own/weighted-coverage.toml",
+    ] {
+        run(&args.split(' ').chain(["--out", &out]).collect::<Vec<_>>());
+    }
+    for (way, name) in [("--activation", "activation.json"), ("--delay=1", "delay.json")] {
+        let file = folder.path().join(name).display().to_string();
+        run(&["refute", "7.2", "--drones", "4", "--eps", "3/5", way, "--out", &file]);
+    }
+    let mut kinds = std::collections::BTreeMap::new();
+    for folder in [folder.path(), "proofs/certificates".as_ref()] {
+        for path in fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()) {
+            if path.extension().is_none_or(|e| e != "json") {
+                continue;
+            }
+            let page = parsed(&fs::read_to_string(&path).unwrap());
+            meets("cordon-certificate/2", &page, &path.display().to_string());
+            for (kind, body) in page["certificate"].as_object().unwrap() {
+                let departs = ["activation", "delay"].iter().find(|d| body.get(**d).is_some());
+                let kind = departs.map_or_else(|| kind.clone(), |d| format!("{kind}, {d}"));
+                *kinds.entry(kind).or_insert(0) += 1;
+            }
+        }
+    }
+    let found: Vec<_> = kinds.keys().map(String::as_str).collect();
+    let expected = [
+        "contraction",
+        "growth",
+        "invariance",
+        "refutation",
+        "refutation, activation",
+        "refutation, delay",
+        "theorem",
+    ];
+    assert_eq!(found, expected);
+    assert!(kinds["theorem"] >= 30, "{kinds:?}");
+}
+
 /// A schema that no test reads would not be kept true.
 #[test]
-fn every_schema_is_read_by_a_test_here() {
+fn every_schema_is_read_by_a_test() {
     let files = fs::read_dir("schemas").unwrap();
     let names: Vec<_> = files.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
-    // 15 that are printed, 3 that are written, 2 records; and the page about them.
-    assert_eq!(names.len(), 15 + 3 + 2 + 1, "{names:?}");
+    // 15 that are printed, 3 that are written, 2 records, certificates, the state of an FMU
+    // (fmu.rs), 3 of `cargo xtask` (xtask/tests/schemas.rs); and the page about them.
+    assert_eq!(names.len(), 15 + 3 + 2 + 1 + 1 + 3 + 1, "{names:?}");
     for name in names.iter().filter(|n| n.ends_with(".json")) {
         let schema = parsed(&fs::read_to_string(format!("schemas/{name}")).unwrap());
         assert_eq!(path_of(schema["title"].as_str().unwrap()), PathBuf::from("schemas").join(name));

@@ -20,7 +20,8 @@ fn refused(args: &str, says: &str) {
     assert!(err.starts_with("error: "), "{args}: {err}");
 }
 
-const SMALL: &str = "7.2,7.3,7.6ii --drones 3..5 --max-denominator 4 --grid 6 --steps 5";
+const SMALL: &str =
+    "7.2,7.3,7.6ii --form both --drones 3..5 --max-denominator 4 --grid 6 --steps 5";
 
 fn text(path: &Path) -> String {
     fs::read_to_string(path).unwrap()
@@ -434,13 +435,14 @@ fn lines_that_cannot_be_so_are_refused_by_their_number() {
 #[test]
 fn a_first_try_says_that_its_refutations_were_expected() {
     let (code, out, _) = sweep("7.2,7.6ii --drones 3 --grid 4 --steps 5");
+    assert_eq!((code, out.contains("refuted")), (0, false), "sharp forms: {out}");
+    let (code, out, _) = sweep("7.2,7.6ii --drones 3 --grid 4 --steps 5 --form both");
     assert_eq!(code, 1);
     assert!(
         out.contains("expected: as printed, 7.6ii fails beyond the range in which it is true"),
         "{out}"
     );
-    assert!(out.ends_with("`cordon sweep 7.6ii --form sharp` sweeps what holds\n"), "{out}");
-    assert_eq!(sweep("7.2,7.6ii --drones 3 --grid 4 --steps 5 --form sharp").0, 0);
+    assert!(out.ends_with("`cordon sweep 7.6ii` sweeps the sharp forms, which hold\n"), "{out}");
     let (code, out, _) = sweep("7.2 --form sharp --eps 3/5 --any-weight --drones 4");
     assert_eq!((code, out.contains("expected:")), (1, false));
     let (code, _, err) = sweep("7.2 7.3");

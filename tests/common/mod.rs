@@ -2,6 +2,7 @@
 #![allow(dead_code, unused_imports, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod placements;
+pub mod schema;
 pub mod tools;
 
 use std::sync::Once;

@@ -27,7 +27,7 @@ fn try_swarm(
 }
 
 fn desired(swarm: &Cosimulation) -> Vec<Vec<f64>> {
-    let record = run::run(swarm, |_| {}).unwrap();
+    let record = run::run(swarm).unwrap();
     (0..record.rows()).map(|row| record.desired_at(row).to_vec()).collect()
 }
 

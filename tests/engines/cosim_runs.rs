@@ -29,7 +29,7 @@ fn paper(tenths: u32, protocol: &str, flight: Flight) -> Cosimulation {
 }
 
 fn flown(swarm: &Cosimulation) -> Record {
-    run::run(swarm, |_| {}).unwrap()
+    run::run(swarm).unwrap()
 }
 
 /// Rows of the grid at a time in hundredths of a second.

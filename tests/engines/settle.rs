@@ -131,6 +131,18 @@ fn exact_ties_are_settled_exactly() {
     assert_eq!(steps(found), (vec![0, 0], 0));
 }
 
+/// The start's errors have not the signs for a lower bound, and the weight is tiny: jumps find the
+/// step, and no step is walked.
+#[test]
+fn vacuous_lower_bounds_do_not_make_long_walks() {
+    let start = crate::common::qs("0,0,0,1");
+    let found = settling(&Starts::One(start), &q("1e-8"), &q("1/2")).unwrap();
+    let Settling::Settles { not_before, .. } = &found else { panic!("{found:?}") };
+    assert_eq!(*not_before, 0);
+    let (proved, step) = steps(found);
+    assert!(10_000_000 < step && proved.iter().all(|p| *p >= step), "{step} {proved:?}");
+}
+
 /// Without a contraction a run may stay within the distance all the same.
 #[test]
 fn runs_that_do_not_converge_are_judged_by_their_errors() {
@@ -140,17 +152,20 @@ fn runs_that_do_not_converge_are_judged_by_their_errors() {
         settling(&Starts::One(crate::common::qs(start)), &q(eps), &q(within)).unwrap()
     };
     let never = |found| matches!(found, Settling::NotFromEveryStart(_));
-    assert_eq!(every(3, "1", "100"), Settling::Stays(0));
-    assert_eq!(every(3, "1", "1/2"), Settling::Stays(0));
+    let stays = |step, converges| Settling::Stays { step, converges };
+    assert_eq!(every(3, "1", "100"), stays(0, false));
+    assert_eq!(every(3, "1", "1/2"), stays(0, false));
     assert!(never(every(3, "1", "49/100")));
-    assert_eq!(every(5, "0", "1"), Settling::Stays(0));
-    assert_eq!(every(5, "0", "3/4"), Settling::Stays(0));
+    assert_eq!(every(5, "0", "1"), stays(0, false));
+    assert_eq!(every(5, "0", "3/4"), stays(0, false));
     assert!(never(every(5, "0", "7/10")));
-    assert_eq!(every(4, "2/3", "1"), Settling::Stays(0));
+    assert_eq!(every(4, "2/3", "1"), stays(0, false));
     assert!(never(every(4, "2/3", "1/3")));
     // Beyond the critical weight errors grow, but for those that are not there.
     assert!(never(every(4, "3/4", "100")));
-    assert_eq!(one("0,1,2,3", "3/4", "1/100"), Settling::Stays(0));
+    assert_eq!(one("0,1,2,3", "3/4", "1/100"), stays(0, true), "the start is the targets");
+    assert_eq!(one("0,1,2", "1", "1/100"), stays(0, true));
+    assert_eq!(one("0,1,3", "1", "1/2"), stays(0, false), "to and fro for ever");
     assert!(never(one("0,1,1,3", "3/4", "1/100")));
     // N = 4, eps = 2/3: e = s/3^k +- d, against runs of the spec.
     let mut compared = 0;
@@ -159,8 +174,13 @@ fn runs_that_do_not_converge_are_judged_by_their_errors() {
             let start = crate::common::qs(&format!("0,{a},{b},3"));
             let found = settling(&Starts::One(start.clone()), &q("2/3"), &q(within)).unwrap();
             let step = by_running(&start, &q("2/3"), &q(within), 40);
-            let expected =
-                if step > 30 { Settling::NeverFromThisStart } else { Settling::Stays(step) };
+            // The difference of the errors changes its sign for ever, their sum fades.
+            let converges = q(a) - q("1") == q(b) - q("2");
+            let expected = if step > 30 {
+                Settling::NeverFromThisStart
+            } else {
+                Settling::Stays { step, converges }
+            };
             assert_eq!(found, expected, "{a} {b} {within}");
             compared += 1;
         }

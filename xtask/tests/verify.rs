@@ -20,7 +20,7 @@ use xtask::verify::matrix::{Cell, collect};
 use xtask::verify::record::Records;
 use xtask::verify::show::json;
 use xtask::verify::sources;
-use xtask::verify::{Context, NAMES, Status, Tier, Verdict, tiers};
+use xtask::verify::{Context, NAMES, Status, Tier, TierVerdict, tiers};
 
 // ---- a repository with tools of its own
 
@@ -342,7 +342,7 @@ fn the_solver_at_hand_proves_every_theorem_that_has_a_step() {
 // ---- formats
 
 /// A tier that says what it is told to.
-struct Told(&'static str, fn(Theorem) -> Status, Vec<Verdict>);
+struct Told(&'static str, fn(Theorem) -> Status, Vec<TierVerdict>);
 
 impl Tier for Told {
     fn name(&self) -> &'static str {
@@ -365,21 +365,21 @@ impl Tier for Told {
         (self.1)(theorem)
     }
 
-    fn problems(&self) -> Vec<Verdict> {
+    fn problems(&self) -> Vec<TierVerdict> {
         self.2.clone()
     }
 }
 
-fn ran(verdict: Verdict) -> Status {
+fn ran(verdict: TierVerdict) -> Status {
     Status::Run { verdict, scope: "a <scope> & \"more\"".into(), seconds: 0.5 }
 }
 
 fn mixed(theorem: Theorem) -> Status {
     match theorem {
-        Theorem::Ordering => ran(Verdict::Holds),
-        Theorem::UpperBound => ran(Verdict::Refuted("x < y".into())),
-        Theorem::SumBounded => ran(Verdict::Rejected("\u{1}bad".into())),
-        Theorem::SumMaximal => ran(Verdict::Inconclusive("unknown".into())),
+        Theorem::Ordering => ran(TierVerdict::Holds),
+        Theorem::UpperBound => ran(TierVerdict::Refuted("x < y".into())),
+        Theorem::SumBounded => ran(TierVerdict::Rejected("\u{1}bad".into())),
+        Theorem::SumMaximal => ran(TierVerdict::Inconclusive("unknown".into())),
         Theorem::Limit => Status::NotClaimed("a limit".into()),
         _ => Status::NotRun("no time".into()),
     }
@@ -396,15 +396,15 @@ fn matrix_of(told: Vec<Told>) -> xtask::verify::matrix::Matrix {
 fn the_worst_verdict_decides() {
     let one =
         |e: fn(Theorem) -> Status, problems| matrix_of(vec![Told("t", e, problems)]).outcome();
-    assert_eq!(one(|_| ran(Verdict::Holds), vec![]), Outcome::Holds);
-    assert_eq!(one(|_| ran(Verdict::Inconclusive("?".into())), vec![]), Outcome::Holds);
-    assert_eq!(one(|_| ran(Verdict::Refuted("!".into())), vec![]), Outcome::Refuted);
-    assert_eq!(one(|_| ran(Verdict::Rejected("!".into())), vec![]), Outcome::Rejected);
+    assert_eq!(one(|_| ran(TierVerdict::Holds), vec![]), Outcome::Holds);
+    assert_eq!(one(|_| ran(TierVerdict::Inconclusive("?".into())), vec![]), Outcome::Holds);
+    assert_eq!(one(|_| ran(TierVerdict::Refuted("!".into())), vec![]), Outcome::Refuted);
+    assert_eq!(one(|_| ran(TierVerdict::Rejected("!".into())), vec![]), Outcome::Rejected);
     assert_eq!(one(|_| Status::NotRun("".into()), vec![]), Outcome::Inconclusive);
     assert_eq!(one(|_| Status::NotClaimed("".into()), vec![]), Outcome::Inconclusive);
-    let rejected = || vec![Verdict::Rejected("!".into())];
-    assert_eq!(one(|_| ran(Verdict::Holds), rejected()), Outcome::Rejected);
-    assert_eq!(one(|_| ran(Verdict::Refuted("!".into())), rejected()), Outcome::Rejected);
+    let rejected = || vec![TierVerdict::Rejected("!".into())];
+    assert_eq!(one(|_| ran(TierVerdict::Holds), rejected()), Outcome::Rejected);
+    assert_eq!(one(|_| ran(TierVerdict::Refuted("!".into())), rejected()), Outcome::Rejected);
 }
 
 #[test]
@@ -465,6 +465,79 @@ fn bad_input_is_named() {
         let error = repo.error(&["7.2", "--tiers", "rocq"]);
         assert!(error.contains(said), "{text}: {error}");
     }
+}
+
+/// The record of the model checker is evidence where it is of the sources beside it. One that is
+/// not says so: its hash is `null` (declared to be of an earlier spec), and the matrix shows it as
+/// stale. A hash of other sources is a record that nobody has looked at.
+#[test]
+fn the_record_of_the_model_checker_is_fresh_or_shown_as_stale() {
+    let root = common::root();
+    let text = std::fs::read_to_string(root.join("kani/run.json")).unwrap();
+    let run: Value = serde_json::from_str(&text).unwrap();
+    let hash = sources::hash(root, &xtask::model_check::SOURCES).unwrap();
+    let fresh = match run["sources"].as_str() {
+        None => false,
+        Some(of) => {
+            assert_eq!(of, hash, "stale: `cargo xtask kani --out kani/run.json`, or declare it so");
+            true
+        }
+    };
+    let out = common::xtask(&["verify", "--tiers", "kani", "--format", "json"]);
+    assert_eq!(out.status.code(), Some(3), "no tier ran now");
+    let page: Value = serde_json::from_slice(&out.stdout).unwrap();
+    let about: Vec<_> =
+        page["tiers"][0]["cells"].as_array().unwrap().iter().map(|c| &c["status"]).collect();
+    let expected = if fresh { "by record" } else { "stale" };
+    assert!(about.iter().all(|s| *s == expected || *s == "not claimed"), "{about:?}");
+    assert!(about.iter().filter(|s| **s == expected).count() >= 8, "{about:?}");
+}
+
+#[test]
+fn the_record_of_the_model_checker_counts_for_its_sources_only() {
+    let repo = Repository::new();
+    repo.write("kani/src/lib.rs", "// harnesses");
+    let hash = sources::hash(repo.root(), &xtask::model_check::SOURCES).unwrap();
+    let record = |sources: &str, verdict: &str, left_out: &str| {
+        let rows = cordon_kani::all().filter(|h| h.name != left_out).map(|h| {
+            format!(
+                "{{\"name\": \"{}\", \"verdict\": \"{verdict}\", \"detail\": \"why\", \"seconds\": 1.5}}",
+                h.name
+            )
+        });
+        let rows: Vec<_> = rows.collect();
+        repo.write(
+            "kani/run.json",
+            &format!(
+                "{{\"kani\": \"0.67.0\", \"date\": \"2026-01-31\", \"sources\": {sources}, \"harnesses\": [{}]}}",
+                rows.join(", ")
+            ),
+        );
+    };
+    let found = |code| {
+        let page = repo.json(&["7.2", "--tiers", "kani"], code);
+        cell(&page, "kani", "7.2").clone()
+    };
+    let quoted = format!("\"{hash}\"");
+    record(&quoted, "proved", "");
+    let fresh = found(3);
+    assert_eq!((&fresh["status"], &fresh["result"]), (&"by record".into(), &"holds".into()));
+    assert_eq!(fresh["record"]["tool"], "Kani 0.67.0");
+    // Of other sources, of none that are known: counted for nothing.
+    for other in ["\"sha256:0\"", "null"] {
+        record(other, "proved", "");
+        let stale = found(3);
+        assert_eq!((&stale["status"], &stale["result"]), (&"stale".into(), &Value::Null));
+    }
+    // A harness that failed, one that is missing, a verdict that nobody knows.
+    record(&quoted, "refuted", "");
+    assert_eq!(found(1)["result"], "refuted");
+    record(&quoted, "proved", "harnesses::ordering::step_4");
+    assert_eq!(found(3)["result"], "inconclusive");
+    record(&quoted, "excellent", "");
+    assert_eq!(found(4)["result"], "rejected");
+    let error = repo.error(&["--record", "kani"]);
+    assert!(error.contains("expected `cargo xtask kani --out kani/run.json`"), "{error}");
 }
 
 /// What the repository's records say was found by provers was found of the sources beside them.

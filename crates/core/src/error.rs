@@ -59,7 +59,7 @@ pub enum Error {
     File {
         /// `read`, `write`, ...
         action: &'static str,
-        /// The file.
+        /// The file that was to be read or written, as the user named it.
         path: PathBuf,
         /// The system's reason.
         source: io::Error,
@@ -67,6 +67,12 @@ pub enum Error {
     /// stdout or stderr could not be written (exit code 74).
     #[error("cannot write the output: {0}")]
     Output(#[from] io::Error),
+    /// The independent checker does not accept what a search of Cordon's own has found (exit
+    /// code 4).
+    #[error(
+        "the independent checker rejects what was found: {0}; the fault is cordon's, not the input's: please report it with the command"
+    )]
+    Rejected(String),
     /// Something of Cordon's own does not hold (exit code 70, `EX_SOFTWARE`): nothing that
     /// the user can mend, and never said of bad input.
     #[error(
@@ -86,7 +92,7 @@ impl Error {
         Self::Internal(message.into())
     }
 
-    /// An [`Error::File`].
+    /// An [`Error::File`]: `action` is a verb, as in "cannot read".
     pub fn file(action: &'static str, path: &Path, source: io::Error) -> Self {
         Self::File { action, path: path.to_owned(), source }
     }
@@ -95,6 +101,7 @@ impl Error {
     pub fn code(&self) -> u8 {
         match self {
             Self::Input(_) => 2,
+            Self::Rejected(_) => 4,
             Self::Internal(_) => 70,
             Self::File { .. } | Self::Output(_) => 74,
         }

@@ -3,6 +3,7 @@
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use crate::{Error, Result};
 
@@ -14,7 +15,7 @@ pub const STREAM: &str = "-";
 pub struct Limit {
     /// What the file is expected to be, for messages.
     pub what: &'static str,
-    /// Most bytes.
+    /// Most bytes that are read of it.
     pub bytes: u64,
 }
 
@@ -40,6 +41,32 @@ impl Limit {
     pub const RECORD: Self = Self { what: "a record", bytes: 64 * MIB };
 }
 
+/// The files that this process reads: no output takes their place.
+static INPUTS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// From now on the file is an input of this process, which [`write_whole`] does not replace.
+/// [`read`] says so by itself.
+pub fn is_input(path: &Path) {
+    if let Ok(whole) = fs::canonicalize(path) {
+        let mut inputs = INPUTS.lock().unwrap_or_else(PoisonError::into_inner);
+        if !inputs.contains(&whole) {
+            inputs.push(whole);
+        }
+    }
+}
+
+/// Refuses an output that would take the place of an input.
+fn expect_no_input(path: &Path) -> Result<()> {
+    let inputs = INPUTS.lock().unwrap_or_else(PoisonError::into_inner);
+    match inputs.iter().find(|input| same(input, path)) {
+        Some(_) => Err(Error::input(format!(
+            "out: `{}`: expected a file that is no input of the command",
+            path.display()
+        ))),
+        None => Ok(()),
+    }
+}
+
 /// Reads a file (`-`: stdin) of at most `limit` bytes. The length is looked at before memory
 /// is taken; of what has no length, like a pipe, no more than the limit is read.
 ///
@@ -63,6 +90,7 @@ pub fn read(path: &Path, limit: Limit) -> Result<Vec<u8>> {
         if file.metadata().map_err(fail)?.len() > limit.bytes {
             return Err(too_large());
         }
+        is_input(path);
         file.take(limit.bytes + 1).read_to_end(&mut bytes).map_err(fail)?;
     }
     if bytes.len() as u64 > limit.bytes { Err(too_large()) } else { Ok(bytes) }
@@ -134,11 +162,12 @@ fn target(path: &Path) -> io::Result<Target> {
 /// Refuses a file that is there and cannot be written, before work is spent on its content.
 ///
 /// # Errors
-/// It is read-only, a folder, or not this user's to write.
+/// It is read-only, a folder, not this user's to write, or an input of this process.
 pub fn expect_writable(path: &Path) -> Result<()> {
     if is_stdout(path) {
         return Ok(());
     }
+    expect_no_input(path)?;
     let fail = |e| Error::file("write", path, e);
     match fs::metadata(path) {
         Ok(meta) if meta.is_file() => target(path).map(|_| ()).map_err(fail),
@@ -204,7 +233,7 @@ fn temporary_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
 /// symbolic links are followed; pipes and devices are written through; `-` is stdout.
 ///
 /// # Errors
-/// The file is read-only, or file or folder cannot be written.
+/// The file is read-only or an input of this process, or file or folder cannot be written.
 pub fn write_atomically(path: &Path, content: &[u8]) -> Result<()> {
     write_whole(path, |out| Ok(out.write_all(content)?))
 }
@@ -215,6 +244,18 @@ pub fn write_atomically(path: &Path, content: &[u8]) -> Result<()> {
 /// # Errors
 /// As [`write_atomically`], or `content` fails.
 pub fn write_whole(path: &Path, content: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
+    expect_no_input(path)?;
+    write_regardless(path, content)
+}
+
+/// As [`write_whole`], for a file that is read and written anew with what has changed.
+///
+/// # Errors
+/// As [`write_whole`], but for inputs.
+pub fn write_regardless(
+    path: &Path,
+    content: impl FnOnce(&mut dyn Write) -> Result<()>,
+) -> Result<()> {
     let fail = |e| Error::file("write", path, e);
     // An output error inside is about this file.
     let named = |e| match e {

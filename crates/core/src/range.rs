@@ -18,11 +18,11 @@ use crate::{Error, Rational, Result};
 /// A range of numbers that is not empty.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Interval {
-    /// Lower end.
+    /// The lower end, at most the upper one.
     pub low: Rational,
     /// Whether the lower end belongs to it.
     pub low_closed: bool,
-    /// Upper end.
+    /// The upper end, at least the lower one.
     pub high: Rational,
     /// Whether the upper end belongs to it.
     pub high_closed: bool,

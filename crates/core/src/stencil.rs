@@ -18,11 +18,11 @@ use crate::Rational;
 /// Place of a drone in the line: all that the update looks at beside positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Role {
-    /// Drone 0.
+    /// Drone 0, which stays at min (coverage).
     First,
     /// A drone with two neighbours.
     Internal,
-    /// Drone N-1.
+    /// Drone N-1, which stays at max (coverage).
     Last,
 }
 

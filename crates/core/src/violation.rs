@@ -4,6 +4,14 @@ use cordon_spec::placement::{scaled_energy, scaled_target, sum};
 use cordon_spec::theorems::{Subject, Violation};
 
 use crate::Rational;
+use crate::text::cut;
+
+/// Most characters of a number: what is longer is no help to a reader, and stands in the run.
+const LONGEST: usize = 200;
+
+fn shown(x: &Rational) -> String {
+    cut(&x.to_string(), LONGEST)
+}
 
 /// The violation in words, with exact values: `at step 3 drones 1 and 2: ...`. `run` begins with
 /// the placement of `step`, the step that the violated conclusion is about.
@@ -17,7 +25,7 @@ pub fn in_words(
     let Some(x) = run.get(violation.step) else {
         return format!("at step {at}");
     };
-    let position = |i: usize| x.get(i).map_or_else(String::new, ToString::to_string);
+    let position = |i: usize| x.get(i).map_or_else(String::new, shown);
     match violation.subject {
         Subject::Pair(i) => {
             let j = i + 1;
@@ -26,17 +34,18 @@ pub fn in_words(
         }
         Subject::Drone(i) => {
             let gaps = Rational::from_integer((x.len().max(2) - 1).into());
-            let target = scaled_target(min, max, x.len(), i) / gaps;
+            let target = shown(&(scaled_target(min, max, x.len(), i) / gaps));
             format!("at step {at} drone {i}: X_{i} = {}, target T_{i} = {target}", position(i))
         }
         Subject::Sum => {
-            let value =
-                |(h, x): (usize, &Vec<Rational>)| format!("c^{} = {}", step + h as u64, sum(x));
+            let value = |(h, x): (usize, &Vec<Rational>)| {
+                format!("c^{} = {}", step + h as u64, shown(&sum(x)))
+            };
             let sums: Vec<_> = run.iter().enumerate().map(value).collect();
             format!("at step {at} the sum of the positions: {}", sums.join(", "))
         }
         Subject::Energy => {
-            let energy = |x: &[Rational]| scaled_energy(min, max, x).to_string();
+            let energy = |x: &[Rational]| shown(&scaled_energy(min, max, x));
             let values: Vec<_> = run.iter().take(2).map(|x| energy(x)).collect();
             format!(
                 "at step {at} the sum of the squared errors, times (N-1)^2, does not fall: {}",

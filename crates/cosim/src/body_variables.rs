@@ -27,6 +27,28 @@ pub(super) fn parameters() -> Vec<Variable> {
     table.into_iter().map(parameter).collect()
 }
 
+/// The four rotors.
+pub(super) fn rotors(causality: Causality) -> Vec<Variable> {
+    let text = "speed of a rotor, as the deviation from hover";
+    let zero = || Value::Real(0.0);
+    let rotor = |name| Variable::new(name, Dimension::RADIAN_PER_SECOND, causality, zero(), text);
+    ["w1", "w2", "w3", "w4"].map(rotor).into()
+}
+
+/// The twelve numbers of a motion: position, velocity, attitude, turning.
+pub(super) fn motion(causality: Causality) -> Vec<Variable> {
+    let groups = [
+        (["x", "y", "z"], Dimension::METRE, "position"),
+        (["vx", "vy", "vz"], Dimension::METRE_PER_SECOND, "velocity"),
+        (["phi", "theta", "psi"], Dimension::RADIAN, "attitude: roll, pitch, yaw"),
+        (["vphi", "vtheta", "vpsi"], Dimension::RADIAN_PER_SECOND, "turning"),
+    ];
+    let of = |(names, dimension, text): ([&'static str; 3], Dimension, &'static str)| {
+        names.map(|n| Variable::new(n, dimension, causality, Value::Real(0.0), text))
+    };
+    groups.into_iter().flat_map(of).collect()
+}
+
 /// The parameter at a place of the table.
 pub(super) fn slot(body: &mut Body, place: usize) -> Option<&mut f64> {
     let [ixx, iyy, izz] = &mut body.inertia;

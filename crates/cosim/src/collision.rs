@@ -16,11 +16,11 @@ pub struct Event {
     pub time: f64,
     /// The two drones, smaller number first.
     pub drones: (usize, usize),
-    /// What.
+    /// A collision, or the loss or return of the order.
     pub kind: EventKind,
 }
 
-/// What happened.
+/// What can happen to two neighbouring drones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EventKind {
     /// They are at the same place.

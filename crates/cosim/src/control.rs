@@ -3,7 +3,7 @@
 
 use std::sync::OnceLock;
 
-use super::body_variables as body_parameters;
+use super::body_variables;
 use super::grid::Grid;
 use super::physics::{Body, single};
 use super::unit::{
@@ -169,21 +169,10 @@ fn table() -> &'static [Variable] {
         let real = |name: &str, dimension, causality, start, text| {
             Variable::new(name, dimension, causality, Value::Real(start), text)
         };
-        let inputs = [
-            (["x_d", "y_d", "z_d"], Dimension::METRE, "wanted position"),
-            (["x", "y", "z"], Dimension::METRE, "position"),
-            (["vx", "vy", "vz"], Dimension::METRE_PER_SECOND, "velocity"),
-            (["phi", "theta", "psi"], Dimension::RADIAN, "attitude: roll, pitch, yaw"),
-            (["vphi", "vtheta", "vpsi"], Dimension::RADIAN_PER_SECOND, "turning"),
-        ];
-        let mut table = Vec::new();
-        for (names, dimension, text) in inputs {
-            table.extend(names.map(|n| real(n, dimension, Causality::Input, 0.0, text)));
-        }
-        table.extend(["w1", "w2", "w3", "w4"].map(|w| {
-            let text = "speed of a rotor, as the deviation from hover";
-            real(w, Dimension::RADIAN_PER_SECOND, Causality::Output, 0.0, text)
-        }));
+        let wanted = |n| real(n, Dimension::METRE, Causality::Input, 0.0, "wanted position");
+        let mut table: Vec<_> = ["x_d", "y_d", "z_d"].map(wanted).into();
+        table.extend(body_variables::motion(Causality::Input));
+        table.extend(body_variables::rotors(Causality::Output));
         let Gains { position, attitude } = Gains::default();
         for (name, start, text) in [
             ("lambda_P", position, "gain of the position"),
@@ -198,7 +187,7 @@ fn table() -> &'static [Variable] {
             Value::Boolean(false),
             "constants in single precision, as in the recorded runs",
         ));
-        table.extend(body_parameters::parameters());
+        table.extend(body_variables::parameters());
         table
     })
 }
@@ -226,7 +215,7 @@ impl Unit for Control {
             var::STATE..var::ROTORS => self.state.get_mut(variable - var::STATE),
             var::LAMBDA_P => Some(&mut self.gains.position),
             var::LAMBDA_A => Some(&mut self.gains.attitude),
-            var::BODY.. => body_parameters::slot(&mut self.body, variable - var::BODY),
+            var::BODY.. => body_variables::slot(&mut self.body, variable - var::BODY),
             _ => None,
         };
         match slot {
@@ -244,13 +233,13 @@ impl Unit for Control {
             var::LAMBDA_P => Some(self.gains.position),
             var::LAMBDA_A => Some(self.gains.attitude),
             var::SINGLE => return Ok(Value::Boolean(self.single_precision)),
-            _ => body_parameters::value(&self.body, variable - var::BODY),
+            _ => body_variables::value(&self.body, variable - var::BODY),
         };
         number.map(Value::Real).ok_or_else(|| no_such_variable(self, variable))
     }
 
     fn initialise(&mut self, _: &Grid) -> Result<(), UnitError> {
-        body_parameters::check(self, &self.body)?;
+        body_variables::check(self, &self.body)?;
         let Gains { position, attitude } = self.gains;
         for (place, gain) in [(var::LAMBDA_P, position), (var::LAMBDA_A, attitude)] {
             if !gain.is_finite() {

@@ -125,7 +125,7 @@ pub struct Settings {
     pub period: u32,
     /// Which tick the first update falls in.
     pub phase: Phase,
-    /// How positions travel.
+    /// How positions travel to other drones: exactly, or as doubles.
     pub exchange: Exchange,
     /// What happens where a message was lost.
     pub on_loss: OnLoss,
@@ -149,7 +149,7 @@ pub struct Coordination {
 }
 
 impl Coordination {
-    /// A coordination unit.
+    /// A coordination unit at its start, called `name` in messages.
     pub fn new(name: impl Into<String>, settings: Settings) -> Self {
         let (variables, slots) = table::table(&settings);
         let heard = table::starts(&settings);

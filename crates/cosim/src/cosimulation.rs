@@ -46,11 +46,11 @@ pub struct Cosimulation {
     /// The order in which drones update, each with the new positions of those before it; `None`
     /// where all update at once, as the protocol has it.
     pub order: Option<Vec<usize>>,
-    /// What goes wrong.
+    /// Lost and late messages, and drones that drop out, in the order of the scenario.
     pub faults: Vec<Fault>,
     /// FMUs in the place of units.
     pub units: Vec<Substitute>,
-    /// What loads them.
+    /// What loads the FMUs when the units are wired.
     pub load: Loader,
     /// Seed of everything random.
     pub seed: u64,
@@ -65,7 +65,7 @@ pub struct Loader(Arc<Load>);
 type Load = dyn Fn(&Substitute, Box<dyn Unit>) -> Result<Box<dyn Unit>> + Send + Sync;
 
 impl Loader {
-    /// A loader.
+    /// A loader that puts what `load` answers in the place of a unit.
     pub fn new(
         load: impl Fn(&Substitute, Box<dyn Unit>) -> Result<Box<dyn Unit>> + Send + Sync + 'static,
     ) -> Self {
@@ -115,6 +115,12 @@ impl Cosimulation {
                 Grid::new(tau, u64::try_from(steps).unwrap_or(u64::MAX))?
             }
         };
+        if let (0, Some(duration)) = (grid.steps(), &flight.duration) {
+            return Err(Error::input(format!(
+                "duration: `{duration}`: expected at least one step, which is {} s",
+                grid.tau()
+            )));
+        }
         if grid.steps() == 0 {
             return Err(Error::input(format!(
                 "tau: `{}`: expected at most the length of the run, so that it has a step",
@@ -137,7 +143,7 @@ impl Cosimulation {
             }
         };
         let whole = |n: i32| Rational::from_integer(n.into());
-        Ok(Self {
+        let swarm = Self {
             lambda_p: positive("lambda_P", flight.lambda_p, fraction(LAMBDA_P))?,
             lambda_a: positive("lambda_A", flight.lambda_a, whole(LAMBDA_A))?,
             z_d: flight.z_d.unwrap_or_else(|| whole(Z_D)),
@@ -166,7 +172,24 @@ impl Cosimulation {
             scenario,
             grid,
             start,
-        })
+        };
+        swarm.check_places()?;
+        Ok(swarm)
+    }
+
+    /// Whether faults and FMUs are about drones that are there, and about links between them.
+    fn check_places(&self) -> Result<()> {
+        let count = self.count();
+        faults::Plan::new(&self.faults, self.seed, count, &self.grid)?
+            .check_links(|i, j| self.neighbours(j).contains(&i))?;
+        match self.units.iter().zip(1..).find(|(unit, _)| unit.drone >= count) {
+            Some((unit, place)) => Err(Error::input(format!(
+                "unit {place}: drone `{}`: expected 0 to {}",
+                unit.drone,
+                count - 1
+            ))),
+            None => Ok(()),
+        }
     }
 
     /// The same swarm in the arithmetic of the authors' recorded runs.
@@ -287,13 +310,6 @@ impl Cosimulation {
     pub fn wiring(&self) -> Result<Wiring> {
         let mut wiring = self.wired_here()?;
         for substitute in &self.units {
-            let count = self.count();
-            if substitute.drone >= count {
-                return Err(Error::input(format!(
-                    "unit: drone {}: expected one of the {count} drones, from 0",
-                    substitute.drone
-                )));
-            }
             let seat = Seat { drone: substitute.drone, unit: substitute.unit };
             wiring.substitute(seat.place(), |unit| (self.load.0)(substitute, unit))?;
         }
@@ -331,11 +347,10 @@ impl Cosimulation {
         }
         let port = |drone: usize, slot: Slot| -> Result<Port> {
             let unit = coordination.get(drone);
-            let missing = || Error::input(format!("drone `{drone}`: expected 0 to {}", count - 1));
+            let missing = || Error::internal(format!("drone {drone} of {count} has no unit"));
             port(unit.ok_or_else(missing)?, drone, slot)
         };
         let faults = faults::Plan::new(&self.faults, self.seed, count, &self.grid)?;
-        faults.check_links(|i, j| self.neighbours(j).contains(&i))?;
         let sent = coordination
             .first()
             .and_then(|u| u.place(Slot::Own))

@@ -26,9 +26,9 @@ pub struct Difference {
 pub struct Largest {
     /// Its size in m.
     pub size: f64,
-    /// The drone.
+    /// The drone whose doubles are farthest off, from 0.
     pub drone: usize,
-    /// The grid point.
+    /// The grid point at which they are, from 0.
     pub step: u64,
 }
 

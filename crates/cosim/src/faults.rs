@@ -72,10 +72,18 @@ fn mixed(x: u64) -> u64 {
     SplitMix::new(x).bits()
 }
 
+/// A fault on links.
+struct OnLinks {
+    /// Its number in the scenario, from 1.
+    number: usize,
+    fault: Fault,
+    steps: Range<u64>,
+}
+
 /// The faults of a scenario on the grid of its run.
 pub(super) struct Plan {
     /// What happens to messages, in the order of the scenario.
-    on_links: Vec<(Fault, Range<u64>)>,
+    on_links: Vec<OnLinks>,
     /// Which drones are out of order, and when.
     pub(super) drop_outs: Vec<(usize, Range<u64>)>,
     seed: u64,
@@ -114,7 +122,7 @@ impl Plan {
                     link.iter().try_for_each(|(i, j)| exists(*i).and(exists(*j)))?;
                 }
             }
-            plan.on_links.push((fault.clone(), steps));
+            plan.on_links.push(OnLinks { number: place + 1, fault: fault.clone(), steps });
         }
         Ok(plan)
     }
@@ -124,13 +132,13 @@ impl Plan {
     /// # Errors
     /// There is one.
     pub(super) fn check_links(&self, linked: impl Fn(usize, usize) -> bool) -> Result<()> {
-        for (fault, _) in &self.on_links {
+        for OnLinks { number, fault, .. } in &self.on_links {
             let (FaultKind::Loss { link, .. } | FaultKind::Delay { link, .. }) = &fault.kind else {
                 continue;
             };
             if let Some((i, j)) = link.filter(|(i, j)| !linked(*i, *j)) {
                 return Err(Error::input(format!(
-                    "fault: link `[{i}, {j}]`: expected two drones that exchange positions"
+                    "fault {number}: link `[{i}, {j}]`: expected two drones that exchange positions"
                 )));
             }
         }
@@ -140,7 +148,7 @@ impl Plan {
     /// What happens to messages from drone `from` to drone `to`, if anything does.
     pub(super) fn link(&self, from: usize, to: usize) -> Option<Chain> {
         let mut chain: Vec<Box<dyn Link>> = Vec::new();
-        for (place, (fault, steps)) in self.on_links.iter().enumerate() {
+        for (place, OnLinks { fault, steps, .. }) in self.on_links.iter().enumerate() {
             let concerns = |link: &Option<(usize, usize)>| link.is_none_or(|l| l == (from, to));
             match &fault.kind {
                 FaultKind::Loss { link, probability } if concerns(link) => {

@@ -178,7 +178,7 @@ impl Master {
         Ok(())
     }
 
-    /// The grid.
+    /// The grid of times at which the units meet.
     pub fn grid(&self) -> &Grid {
         &self.grid
     }

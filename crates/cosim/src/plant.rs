@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::body_variables as body_parameters;
+use super::body_variables;
 use super::grid::Grid;
 use super::physics::Body;
 use super::unit::{
@@ -186,32 +186,16 @@ impl Plant {
 fn table() -> &'static [Variable] {
     static TABLE: OnceLock<Vec<Variable>> = OnceLock::new();
     TABLE.get_or_init(|| {
-        let real = |name: &str, dimension, causality, text| {
-            Variable::new(name, dimension, causality, Value::Real(0.0), text)
-        };
-        let mut table: Vec<_> = ["w1", "w2", "w3", "w4"]
-            .map(|w| {
-                let text = "speed of a rotor, as the deviation from hover";
-                real(w, Dimension::RADIAN_PER_SECOND, Causality::Input, text)
-            })
-            .into();
-        let groups = [
-            (["x", "y", "z"], Dimension::METRE, "position"),
-            (["vx", "vy", "vz"], Dimension::METRE_PER_SECOND, "velocity"),
-            (["phi", "theta", "psi"], Dimension::RADIAN, "attitude: roll, pitch, yaw"),
-            (["vphi", "vtheta", "vpsi"], Dimension::RADIAN_PER_SECOND, "turning"),
-        ];
-        for (names, dimension, text) in groups {
-            table.extend(names.map(|n| real(n, dimension, Causality::Output, text)));
-        }
-        table.extend(
-            ["x0", "y0", "z0"]
-                .map(|n| real(n, Dimension::METRE, Causality::Parameter, "position at the start")),
-        );
+        let mut table = body_variables::rotors(Causality::Input);
+        table.extend(body_variables::motion(Causality::Output));
+        table.extend(["x0", "y0", "z0"].map(|name| {
+            let text = "position at the start";
+            Variable::new(name, Dimension::METRE, Causality::Parameter, Value::Real(0.0), text)
+        }));
         let euler = Value::Text(Integrator::Euler.name().into());
         let text = "`euler` or `exact`";
         table.push(Variable::new("integrator", Dimension::NONE, Causality::Parameter, euler, text));
-        table.extend(body_parameters::parameters());
+        table.extend(body_variables::parameters());
         table
     })
 }
@@ -239,7 +223,7 @@ impl Unit for Plant {
         let slot = match variable {
             var::ROTORS..var::X => self.rotors.get_mut(variable),
             var::X0..=var::Z0 => self.start.get_mut(variable - var::X0),
-            var::BODY.. => body_parameters::slot(&mut self.body, variable - var::BODY),
+            var::BODY.. => body_variables::slot(&mut self.body, variable - var::BODY),
             _ => None,
         };
         match slot {
@@ -255,13 +239,13 @@ impl Unit for Plant {
             var::X..var::X0 => self.state.get(variable - var::X).copied(),
             var::X0..=var::Z0 => self.start.get(variable - var::X0).copied(),
             var::INTEGRATOR => return Ok(Value::Text(self.integrator.name().into())),
-            _ => body_parameters::value(&self.body, variable - var::BODY),
+            _ => body_variables::value(&self.body, variable - var::BODY),
         };
         number.map(Value::Real).ok_or_else(|| no_such_variable(self, variable))
     }
 
     fn initialise(&mut self, _: &Grid) -> Result<(), UnitError> {
-        body_parameters::check(self, &self.body)?;
+        body_variables::check(self, &self.body)?;
         self.reset();
         Ok(())
     }

@@ -3,7 +3,7 @@
 use super::collision::Event;
 use cordon_core::Rational;
 
-/// A recorded run.
+/// Desired and actual positions of a run at its grid points, and what happened.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
     /// What was run, for people.
@@ -33,7 +33,7 @@ pub struct Setup {
     pub protocol: String,
     /// Ends of the segment in m, for coverage.
     pub segment: Option<(Rational, Rational)>,
-    /// Weight eps.
+    /// Weight eps of the neighbours, dimensionless.
     pub weight: Rational,
     /// Ticks from update to update.
     pub period: u32,

@@ -8,18 +8,18 @@ use super::plant::{Integrator, var};
 use super::record::Record;
 use super::seat::Seat;
 use super::wiring::Port;
-use cordon_core::{Error, Result};
+use cordon_core::{Error, Result, progress};
 
 /// Most numbers of one record, half a gigabyte of doubles.
 const MAX_NUMBERS: u128 = 1 << 26;
 
-/// Runs a swarm from its start to its end. `progress` is told every grid point.
+/// Runs a swarm from its start to its end. Its pieces of [`progress`] are grid points.
 ///
 /// # Errors
 /// The swarm cannot be wired, a unit fails or sends a number that is not finite, or the
 /// record would be too large.
-pub fn run(swarm: &Cosimulation, progress: impl FnMut(u64)) -> Result<Record> {
-    let (record, ended) = run_as_far_as_it_goes(swarm, progress)?;
+pub fn run(swarm: &Cosimulation) -> Result<Record> {
+    let (record, ended) = run_as_far_as_it_goes(swarm)?;
     ended.map(|()| record)
 }
 
@@ -28,10 +28,7 @@ pub fn run(swarm: &Cosimulation, progress: impl FnMut(u64)) -> Result<Record> {
 /// # Errors
 /// The swarm cannot be wired, fails in its first step, or the record would be too
 /// large.
-pub fn run_as_far_as_it_goes(
-    swarm: &Cosimulation,
-    mut progress: impl FnMut(u64),
-) -> Result<(Record, Result<()>)> {
+pub fn run_as_far_as_it_goes(swarm: &Cosimulation) -> Result<(Record, Result<()>)> {
     let count = swarm.count();
     let rows = u128::from(swarm.grid.steps()) + 1;
     if rows * count as u128 * 2 > MAX_NUMBERS {
@@ -41,6 +38,7 @@ pub fn run_as_far_as_it_goes(
         )));
     }
     let mut master = swarm.master()?;
+    progress::expect(swarm.grid.steps() + 1);
     // The limit above is far below what a usize holds.
     let numbers = usize::try_from(rows).unwrap_or_default() * count;
     let mut record = Record {
@@ -82,7 +80,7 @@ pub fn run_as_far_as_it_goes(
         accumulated += master.grid().tau_f64();
         record.times.push(time);
         watch.next(last, &samples);
-        progress(step);
+        progress::advance(1);
         Ok(())
     });
     record.events = Some(watch.finish());

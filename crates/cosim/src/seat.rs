@@ -5,7 +5,7 @@ use cordon_run::scenario::UnitName;
 /// The seat of a unit: whose it is, and which of the drone's three.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Seat {
-    /// The drone.
+    /// The drone's place in the line, from 0.
     pub drone: usize,
     /// Which of its units.
     pub unit: UnitName,

@@ -28,12 +28,14 @@ pub enum Format {
 }
 
 impl Format {
-    /// The form that a file's name says; CSV where it says none.
-    pub fn of(path: &Path) -> Self {
-        match path.extension().and_then(|e| e.to_str()) {
-            Some("json") => Self::Json,
-            Some("parquet") => Self::Parquet,
-            _ => Self::Csv,
+    /// The form that the ending of a file's name says, in capitals or not.
+    pub fn of(path: &Path) -> Option<Self> {
+        let ending = path.extension()?.to_str()?.to_ascii_lowercase();
+        match ending.as_str() {
+            "csv" => Some(Self::Csv),
+            "json" => Some(Self::Json),
+            "parquet" => Some(Self::Parquet),
+            _ => None,
         }
     }
 }
@@ -91,6 +93,12 @@ pub fn companion_of(path: &Path) -> PathBuf {
     name.into()
 }
 
+/// The files that [`save`] writes: the run, and where there is one its companion.
+pub fn written(path: &Path, format: Format) -> Vec<PathBuf> {
+    let companion = (format != Format::Json).then(|| companion_of(path));
+    std::iter::once(path.to_owned()).chain(companion).collect()
+}
+
 /// A file whose content is fingerprinted on its way.
 struct Fingerprinted<'f> {
     file: &'f mut dyn Write,
@@ -116,7 +124,7 @@ impl Write for Fingerprinted<'_> {
 /// names it and says where.
 pub fn load(path: &Path) -> Result<Record> {
     let name = path.display().to_string();
-    match Format::of(path) {
+    match Format::of(path).unwrap_or(Format::Csv) {
         Format::Csv => {
             let text = files::read_text(path, Limit::RUN)?;
             let mut record = csv::parse(&name, &text)?;

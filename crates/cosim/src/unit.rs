@@ -105,7 +105,7 @@ pub struct Variable {
     pub name: String,
     /// Physical unit of the values (`m`, `m/s`, `rad`), [`Dimension::NONE`] for pure numbers.
     pub dimension: Dimension,
-    /// Who sets it.
+    /// Whether others set it, or the unit does.
     pub causality: Causality,
     /// The values' type and the value before the first step.
     pub start: Value,
@@ -206,9 +206,9 @@ impl Causality {
 /// The type of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// A double.
+    /// Doubles.
     Real,
-    /// A whole number.
+    /// Whole numbers of 64 bits.
     Integer,
     /// True or false.
     Boolean,
@@ -248,7 +248,7 @@ pub enum Value {
 }
 
 impl Value {
-    /// The value's type.
+    /// The type that a variable has to have to take it.
     pub fn kind(&self) -> Kind {
         match self {
             Self::Real(_) => Kind::Real,
@@ -306,7 +306,7 @@ impl UnitError {
         }))
     }
 
-    /// The unit's name.
+    /// The name of the unit that failed.
     pub fn unit(&self) -> &str {
         &self.0.unit
     }

@@ -52,9 +52,9 @@ pub enum Type {
 pub struct Variable {
     /// Name, for messages.
     pub name: String,
-    /// Value reference.
+    /// Value reference: by it the C functions know the variable.
     pub reference: u32,
-    /// Type.
+    /// The type by which its value is asked for.
     pub kind: Type,
 }
 

@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 use crate::fmu::Fmu;
 use crate::instance::Instance;
-use crate::message::{self, Answer, Order};
+use crate::message::{self, Order, Reply};
 
 /// Carries out orders until the last one, or until nobody sends any more.
 ///
@@ -33,7 +33,7 @@ pub fn serve(stream: &mut (impl Read + Write)) -> std::io::Result<()> {
                     instance = Some(made);
                     Vec::new()
                 });
-                Answer { result, notes: Vec::new() }
+                Reply { result, notes: Vec::new() }
             }
             (Order::Initialise(beginning), Some(instance)) => instance.initialise(beginning),
             (Order::Step { from, size, inputs }, Some(instance)) => {
@@ -43,11 +43,11 @@ pub fn serve(stream: &mut (impl Read + Write)) -> std::io::Result<()> {
                 drop(instance.take());
                 return message::write(
                     stream,
-                    &Answer { result: Ok(Vec::new()), notes: Vec::new() },
+                    &Reply { result: Ok(Vec::new()), notes: Vec::new() },
                 );
             }
             (_, None) => {
-                Answer { result: Err("there is no instance".to_owned()), notes: Vec::new() }
+                Reply { result: Err("there is no instance".to_owned()), notes: Vec::new() }
             }
         };
         message::write(stream, &answer)?;

@@ -12,7 +12,7 @@ use crate::c;
 use crate::fmu::{Datum, Fmu, Variable, Version};
 use crate::library::Library;
 use crate::log::{Log, logger_3};
-use crate::message::{Answer, Beginning};
+use crate::message::{Beginning, Reply};
 
 /// Instances of one process are called one at a time: many libraries have state that all their
 /// instances share.
@@ -135,24 +135,24 @@ impl Instance {
     }
 
     /// Sets the start values, initialises, and reads the outputs.
-    pub fn initialise(&mut self, beginning: Beginning) -> Answer {
+    pub fn initialise(&mut self, beginning: Beginning) -> Reply {
         let _call = one_at_a_time();
         let result = self.begin(beginning);
         self.answer(result)
     }
 
     /// Sets the inputs, advances, and reads the outputs.
-    pub fn step(&mut self, from: f64, size: f64, inputs: &[Datum]) -> Answer {
+    pub fn step(&mut self, from: f64, size: f64, inputs: &[Datum]) -> Reply {
         let _call = one_at_a_time();
         let result = self.advance(from, size, inputs);
         self.answer(result)
     }
 
-    fn answer(&mut self, result: Result<Vec<Datum>, String>) -> Answer {
+    fn answer(&mut self, result: Result<Vec<Datum>, String>) -> Reply {
         for said in self.log.take() {
             self.note(said);
         }
-        Answer { result, notes: std::mem::take(&mut self.notes) }
+        Reply { result, notes: std::mem::take(&mut self.notes) }
     }
 
     fn note(&mut self, text: String) {

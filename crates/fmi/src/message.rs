@@ -42,7 +42,7 @@ pub struct Beginning {
 
 /// What came of an order: values of the outputs, or why it failed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Answer {
+pub struct Reply {
     /// Values of the outputs, after the initialisation and after steps.
     pub result: Result<Vec<Datum>, String>,
     /// What the user should know besides: warnings, discarded values.

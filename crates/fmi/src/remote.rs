@@ -8,7 +8,7 @@ use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::Duration;
 
 use crate::fmu::{Datum, Fmu};
-use crate::message::{self, Answer, Beginning, Order};
+use crate::message::{self, Beginning, Order, Reply};
 
 /// How long an instance may take to terminate.
 const FAREWELL: Duration = Duration::from_secs(5);
@@ -45,21 +45,21 @@ impl Remote {
     }
 
     /// As [`Instance::initialise`](crate::instance::Instance::initialise).
-    pub fn initialise(&mut self, beginning: Beginning) -> Answer {
+    pub fn initialise(&mut self, beginning: Beginning) -> Reply {
         self.answered(&Order::Initialise(beginning))
     }
 
     /// As [`Instance::step`](crate::instance::Instance::step).
-    pub fn step(&mut self, from: f64, size: f64, inputs: Vec<Datum>) -> Answer {
+    pub fn step(&mut self, from: f64, size: f64, inputs: Vec<Datum>) -> Reply {
         self.answered(&Order::Step { from, size, inputs })
     }
 
-    fn answered(&mut self, order: &Order) -> Answer {
-        let failed = |why| Answer { result: Err(why), notes: Vec::new() };
+    fn answered(&mut self, order: &Order) -> Reply {
+        let failed = |why| Reply { result: Err(why), notes: Vec::new() };
         self.call(order).unwrap_or_else(failed)
     }
 
-    fn call(&mut self, order: &Order) -> Result<Answer, String> {
+    fn call(&mut self, order: &Order) -> Result<Reply, String> {
         if self.dead {
             return Err("its process has ended".to_owned());
         }

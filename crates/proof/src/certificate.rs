@@ -16,7 +16,7 @@ use crate::counterexample::Counterexample;
 use cordon_core::exact::fraction;
 use cordon_core::{Error, Rational, Result, files};
 
-/// The format's name.
+/// Name and version of the format.
 pub const SCHEMA: &str = "cordon-certificate/2";
 
 /// A certificate of that kind.
@@ -66,7 +66,7 @@ pub fn growth(count: usize, eps: &Rational, w: &[BigInt]) -> Value {
 /// How a run departs from the protocol as written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Departure {
-    /// Not at all.
+    /// Not at all: all drones update, and see where the others are.
     #[default]
     None,
     /// In each step only these drones update.
@@ -118,14 +118,24 @@ pub fn refutation(found: &Counterexample) -> Value {
     sealed("refutation", body)
 }
 
-/// Whether the independent checker accepts a certificate. Nothing is called certified before
-/// it has.
-pub fn accepted(certificate: &Value) -> bool {
-    matches!(cordon_check::check(&certificate.to_string()), Verdict::Valid { .. })
+/// Has the independent checker judge a certificate: what is proved, in the checker's words.
+/// Nothing is called certified before this.
+///
+/// # Errors
+/// [`Error::Input`]: a number or the whole is longer than the checker reads, or takes more work
+/// than it allows. [`Error::Rejected`]: the checker finds it wrong.
+pub fn judged(certificate: &Value) -> Result<String> {
+    match cordon_check::check(&certificate.to_string()) {
+        Verdict::Valid { claim, .. } => Ok(claim),
+        // What is written here is in the format: only its size can be at fault.
+        Verdict::Unreadable { reason } | Verdict::Invalid { rule: "work", reason, .. } => {
+            Err(Error::input(format!(
+                "what was found is beyond the limits of the independent checker: {reason}"
+            )))
+        }
+        verdict @ Verdict::Invalid { .. } => Err(Error::Rejected(verdict.to_string())),
+    }
 }
-
-/// What a command says before it ends with [`Outcome::Rejected`](cordon_core::Outcome::Rejected).
-pub const REJECTED: &str = "the independent checker rejects the certificate: a fault of the search";
 
 /// Writes a certificate to `folder/name.json`, creating the folder, and returns the path.
 ///

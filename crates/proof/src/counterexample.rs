@@ -14,11 +14,11 @@ use cordon_core::{Rational, violation};
 /// A start in a theorem's start set whose run violates the conclusion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Counterexample {
-    /// The theorem.
+    /// The theorem that is violated.
     pub theorem: Theorem,
     /// Which form of it.
     pub form: Form,
-    /// The weight.
+    /// The weight eps of the run, in the theorem's range or not.
     pub eps: Rational,
     /// The step k about which the conclusion fails.
     pub step: usize,
@@ -73,7 +73,7 @@ impl Counterexample {
         }
     }
 
-    /// The start.
+    /// The placement X^0, one position a drone.
     pub fn start(&self) -> &[Rational] {
         self.run.first().map_or(&[], Vec::as_slice)
     }
@@ -112,7 +112,7 @@ impl Counterexample {
         )
     }
 
-    /// For programs.
+    /// The counterexample as outputs in JSON have it.
     pub fn to_json(&self) -> Value {
         json!({
             "theorem": self.theorem.number(),

@@ -2,9 +2,9 @@
 //! questions written for other solvers.
 
 pub mod certificate;
+pub mod claims;
 pub mod counterexample;
 pub mod export;
-pub mod own_protocol;
 pub mod prove;
 pub mod refute;
 pub mod separation;

@@ -6,6 +6,7 @@
 
 pub mod fast;
 pub mod projection;
+pub mod protocol;
 pub mod scenario;
 pub mod simulate;
 pub mod swarm;

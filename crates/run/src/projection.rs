@@ -10,8 +10,7 @@ use cordon_spec::local::{LocalParams, SimState, TickRatio, exchange, fmu_tick, p
 use cordon_spec::{DroneMap, Params, Phase, State};
 
 use crate::scenario::Scenario;
-use cordon_core::Rational;
-use cordon_core::{Error, Result};
+use cordon_core::{Error, Rational, Result, progress};
 
 /// How the local machines are run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,7 +27,7 @@ pub struct Setup {
 /// Both forms after some tick.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pair {
-    /// Ticks so far.
+    /// Ticks made since the start.
     pub tick: u64,
     /// Positions of the local machines.
     pub local: Vec<Rational>,
@@ -64,6 +63,7 @@ pub fn run(scenario: &Scenario, setup: Setup) -> Result<Vec<Pair>> {
     };
     let mut global = scenario.initial();
     let mut local = machines(&params, &local_params, &global, scenario.phase);
+    progress::expect(setup.ticks);
     let mut pairs = vec![pair(0, &local, &global)];
     for t in 1..=setup.ticks {
         global = tick(&params, global);
@@ -72,6 +72,7 @@ pub fn run(scenario: &Scenario, setup: Setup) -> Result<Vec<Pair>> {
             local = exchange(&local);
         }
         pairs.push(pair(t, &local, &global));
+        progress::advance(1);
     }
     Ok(pairs)
 }

@@ -11,7 +11,7 @@ use cordon_core::Rational;
 /// The swarm after some ticks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Snapshot {
-    /// Ticks so far.
+    /// Ticks made since the start.
     pub tick: u64,
     /// Protocol steps so far.
     pub step: u64,

@@ -10,8 +10,8 @@ use num_bigint::BigInt;
 use num_traits::Signed;
 use rayon::prelude::*;
 
-use crate::fast::line::Weights;
-use cordon_core::{Error, Rational, Result, exact};
+use crate::fast::line::LineWeights;
+use cordon_core::{Error, Rational, Result, exact, progress};
 
 /// The unit roundoff of doubles.
 const ROUNDOFF: f64 = 1.0 / (1u64 << 53) as f64;
@@ -72,7 +72,7 @@ impl Swarm {
 
     fn assemble(eps: &Rational, positions: Vec<f64>, largest: f64, error: f64) -> Result<Self> {
         refuse_count(positions.len())?;
-        let Weights { side, centre, den } = Weights::of(eps)?;
+        let LineWeights { side, centre, den } = LineWeights::of(eps)?;
         let ratio = |w: BigInt| Rational::new(w, den.clone());
         let total = exact::to_f64(&ratio(side.abs() * 2 + centre.abs()));
         let (side, centre) = (exact::to_f64(&ratio(side)), exact::to_f64(&ratio(centre)));
@@ -107,6 +107,7 @@ impl Swarm {
 
     /// `steps` protocol steps of all drones, on all cores; the result does not depend on them.
     pub fn advance(&mut self, steps: u64) {
+        progress::expect(steps);
         let mut next = vec![0.0; self.positions.len()];
         let mut left = steps;
         while left > 0 {
@@ -119,6 +120,7 @@ impl Swarm {
             (0..now).for_each(|_| self.account());
             left -= now as u64;
             self.steps += now as u64;
+            progress::advance(now as u64);
         }
     }
 

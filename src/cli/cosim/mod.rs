@@ -6,8 +6,6 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressStyle};
-
 use crate::cli::choice::{Choice, choice};
 use crate::cli::fmu::HOST;
 use crate::cli::progress;
@@ -18,7 +16,6 @@ use cordon_core::{Error, Outcome, Result};
 use cordon_core::{exact, files};
 use cordon_cosim::cosimulation::{Cosimulation, Loader};
 use cordon_cosim::fmi::import::{Isolation, substitute};
-use cordon_cosim::record::Record;
 use cordon_cosim::store::{self, Format};
 use cordon_cosim::{exact_run, run as engine};
 use cordon_run::scenario::Flight;
@@ -36,7 +33,7 @@ pub struct Args {
     /// Form of the run [default: by the name of `--out`; without it a summary is printed]
     #[arg(long, value_parser = choice::<Format>())]
     format: Option<Format>,
-    /// Show progress on stderr
+    /// Show progress from the start, on a terminal; else after two seconds
     #[arg(long)]
     progress: bool,
     /// Also run in exact arithmetic and report how far the doubles are off
@@ -174,6 +171,7 @@ impl FlightArgs {
         let mut swarm = swarm.map_err(|e| places.point(e))?;
         let isolation = self.isolation()?;
         swarm.load = Loader::new(move |fmu, unit| substitute(&isolation, fmu, unit));
+        swarm.units.iter().for_each(|unit| files::is_input(&unit.fmu));
         match self.compat {
             Some(Compat::Recorded) => swarm.as_recorded(),
             None => Ok(swarm),
@@ -183,19 +181,25 @@ impl FlightArgs {
 
 /// Runs the co-simulation.
 pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    let out_format = args.out.as_deref().map(|path| args.format_of(path)).transpose()?;
     let swarm = args.flight.swarm(&args.scenario)?;
-    let (record, ended) = flown(&swarm, args.progress)?;
+    if args.exact && !swarm.units.is_empty() {
+        return Err(Error::input("exact: expected units of this program: FMUs compute in doubles"));
+    }
+    if let (Some(path), Some(format)) = (&args.out, out_format) {
+        // Once more, now that it is known which files the scenario names.
+        store::written(path, format).iter().try_for_each(|file| files::expect_writable(file))?;
+    }
+    if args.progress {
+        progress::at_once();
+    }
+    let (record, ended) = engine::run_as_far_as_it_goes(&swarm)?;
     for note in &record.notes {
         eprint_all(format!("warning: {note}\n").as_bytes());
     }
-    let difference = match args.exact {
-        true if !swarm.units.is_empty() => {
-            return Err(Error::input(
-                "exact: expected units of this program: FMUs compute in doubles",
-            ));
-        }
-        true if ended.is_ok() => Some(exact_run::difference(&swarm, &record)?),
-        _ => None,
+    let difference = match args.exact && ended.is_ok() {
+        true => Some(exact_run::difference(&swarm, &record)?),
+        false => None,
     };
     let mut about = Vec::new();
     let known = if ended.is_ok() { separation::known_gap(&swarm) } else { None };
@@ -203,9 +207,9 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if let Some(d) = &difference {
         writeln!(about, "\n{d}")?;
     }
-    match (&args.out, args.format) {
-        (Some(path), format) => {
-            store::save(&record, format.unwrap_or(Format::of(path)), path)?;
+    match (&args.out, out_format.or(args.format)) {
+        (Some(path), Some(format)) => {
+            store::save(&record, format, path)?;
             out.write_all(&about)?;
         }
         (None, Some(format)) => {
@@ -213,7 +217,7 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             store::save(&record, format, Path::new(files::STREAM))?;
             eprint_all(&about);
         }
-        (None, None) => out.write_all(&about)?,
+        (_, None) => out.write_all(&about)?,
     }
     // What was flown until a unit failed is written, and marked; the failure stays one.
     ended.map(|()| Outcome::Holds)
@@ -224,19 +228,18 @@ fn eprint_all(text: &[u8]) {
     let _ = Printable(std::io::stderr()).write_all(text);
 }
 
-fn flown(swarm: &Cosimulation, progress: bool) -> Result<(Record, Result<()>)> {
-    if !progress {
-        return engine::run_as_far_as_it_goes(swarm, |_| {});
+impl Args {
+    /// The form of the run file: as asked for, or as its name says.
+    fn format_of(&self, path: &Path) -> Result<Format> {
+        match (self.format.or(Format::of(path)), path.extension()) {
+            (Some(format), _) => Ok(format),
+            (None, None) => Ok(Format::Csv),
+            (None, Some(_)) => Err(Error::input(format!(
+                "out: `{}`: expected a name that ends in .csv, .json or .parquet, or --format",
+                path.display()
+            ))),
+        }
     }
-    progress::shown_elsewhere();
-    let bar = ProgressBar::new(swarm.grid.steps());
-    // A template of its own that does not parse falls back to the usual bar.
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} step {pos} of {len}, {eta} left") {
-        bar.set_style(style);
-    }
-    let flown = engine::run_as_far_as_it_goes(swarm, |step| bar.set_position(step));
-    bar.finish_and_clear();
-    flown
 }
 
 impl Choice for Format {

@@ -32,6 +32,9 @@ pub struct ExportArgs {
 fn assembly(args: &ExportArgs) -> Result<(Assembly, FmiVersion, Vec<u8>)> {
     // Not every tool connects texts, and some read them as empty in silence.
     let swarm = args.flight.swarm_exchanging(&args.scenario, "double")?;
+    if !args.out.is_dir() {
+        files::expect_writable(&args.out)?;
+    }
     let assembly = args.scenario.in_file(Assembly::of(&swarm))?;
     Ok((assembly, args.fmi.into(), binary::load(args.binary.binary.as_deref())?))
 }
@@ -48,6 +51,8 @@ pub(super) fn into_cps(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome
     }
     // The multi-model comes last: where it is, its FMUs are.
     written.push((into_cps::FILE_NAME.to_owned(), text));
+    // Before the first is written, in the place of a file that the scenario names.
+    written.iter().try_for_each(|(name, _)| files::expect_writable(&args.out.join(name)))?;
     std::fs::create_dir_all(&args.out).map_err(|e| Error::file("create", &args.out, e))?;
     for (name, content) in &written {
         files::write_atomically(&args.out.join(name), content)?;

@@ -26,19 +26,19 @@ pub struct Args {
     /// Which claims: numbers like 7.2 or 7.4ii, `mirror`, `box`, separated by commas [default: all]
     #[arg(value_name = "THEOREMS")]
     pub claims: Option<String>,
-    /// Number of drones, or an inclusive range like 3..6
+    /// Number of drones, or an inclusive range like 3..6, from 3 to 9
     #[arg(long, value_name = "N", default_value = "3..6")]
     pub drones: String,
     /// Which reading of the theorems
     #[arg(long, value_enum, default_value_t = FormArg::Sharp)]
     pub form: FormArg,
-    /// WeightDomain instead of the theorem's: a range like `0..1/2` or `(1/2,1]`
+    /// Weights instead of the theorem's: a range like `0..1/2` or `(1/2,1]`
     #[arg(long, value_name = "LO..HI", allow_hyphen_values = true)]
     pub eps_range: Option<String>,
     /// Ask for a counterexample to the theorem: beyond its weights (within 0 <= eps <= 1), or in --eps-range
     #[arg(long)]
     pub negate: bool,
-    /// With --negate: look at steps up to K
+    /// With --negate: look at steps up to K, at most 8
     #[arg(long, value_name = "K", default_value_t = 1, requires = "negate", value_parser = clap::value_parser!(u8).range(0..=8))]
     pub steps: u8,
     /// With --negate and one claim and N: read a solver's answer (`-`: stdin) and replay its model exactly

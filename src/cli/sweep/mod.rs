@@ -29,14 +29,17 @@ at once. A row says which kind of evidence it is. Segments are [0, L] with L the
 multiple of N-1 of at least G grid units; for theorems whose starts lie in the first subsegment \
 (assumption 3) that subsegment has G units.
 
-Printed forms of some theorems fail beyond their true range, so that a sweep of both forms of all \
-theorems ends with exit code 1; `cordon sweep --form sharp` ends with 0.
+Swept are the sharp forms, which hold. Printed forms (`--form paper`) of some theorems fail beyond \
+their true range: then the exit code is 1, and the output says that it was to be expected.
 
 Examples:
-  cordon sweep --form sharp                       all theorems, every start on a small grid
+  cordon sweep                                    all theorems, every start on a small grid
+  cordon sweep --form paper                       as printed: where do they fail?
   cordon sweep 7.2,7.3 --complete --drones 3..12  from all real starts
   cordon sweep 7.8 --shard 1/4 --out part-1.jsonl one part of four, which goes on after a crash
   cordon sweep merge part-*.jsonl --audit 5       the parts together, five items computed anew
+
+Limits: 3 to 64 drones, 100,000 steps, 1,000,000 weights, 1,000,000 work items, 1,024 threads.
 
 Exit codes: 0 every claim holds, 1 some claim is refuted (a counterexample is printed, with the \
 command that replays it), 2 bad usage or input, 3 some claim is vacuous or undecided, 74 I/O error";

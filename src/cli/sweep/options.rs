@@ -21,7 +21,7 @@ pub(super) struct Options {
     #[arg(value_name = "THEOREMS")]
     theorems: Option<String>,
     /// Which form of the theorems
-    #[arg(long, value_enum, default_value_t = Forms::Both)]
+    #[arg(long, value_enum, default_value_t = Forms::Sharp)]
     form: Forms,
     /// Numbers of drones, both ends included, from 3 to 64
     #[arg(long, value_name = "LO..HI", default_value = "3..5")]

@@ -5,10 +5,9 @@ use std::io::Write;
 use serde_json::json;
 
 use crate::cli::select::OutputFormat;
-use crate::cli::table;
 use cordon_core::exact::fraction;
 use cordon_core::theorems::words;
-use cordon_core::{Evidence, Outcome, Rational, Result};
+use cordon_core::{Evidence, Outcome, Rational, Result, table};
 use cordon_proof::sweep::store::{Header, Shard};
 use cordon_proof::sweep::summary::{Summary, outcome, summaries};
 use cordon_proof::sweep::{Config, Finding, Judgement, StartSpace, WeightSet};
@@ -103,7 +102,7 @@ fn expected(findings: &[Finding], out: &mut dyn Write) -> Result<()> {
     writeln!(
         out,
         "\nexpected: as printed, {} fail{} beyond the range in which {} true (`cordon errata`); \
-         `cordon sweep {} --form sharp` sweeps what holds",
+         `cordon sweep {}` sweeps the sharp forms, which hold",
         theorems.join(", "),
         if theorems.len() == 1 { "s" } else { "" },
         if theorems.len() == 1 { "it is" } else { "they are" },

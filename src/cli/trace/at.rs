@@ -27,7 +27,7 @@ pub struct AtArgs {
     /// How chosen steps are computed
     #[arg(long, value_enum, requires = "at", default_value_t, help_heading = "Chosen steps")]
     pub engine: Method,
-    /// Compare with the plain spec modulo random primes, as many as given
+    /// Compare with the plain spec modulo random primes, as many as given, 1 to 64 [default: 3]
     #[arg(
         long,
         value_name = "PRIMES",
@@ -69,6 +69,9 @@ impl Method {
     }
 }
 
+/// What certain digits rest on.
+const EVIDENCE: &str = "enclosed in fixed point, every digit certain";
+
 /// Forms of a table of certain digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
@@ -80,19 +83,19 @@ pub enum Shape {
     Json,
 }
 
-/// The rows of the chosen steps, exact, and how the check against the spec ended; `None` where
-/// only digits are wanted.
-pub fn exact(scenario: &Scenario, args: &AtArgs) -> Result<Option<(Vec<Row>, Outcome)>> {
+/// Rows, and the check against the spec where one was wanted.
+pub type Exact = (Vec<Row>, Option<Verification>);
+
+/// The rows of the chosen steps, exact; `None` where only digits are wanted.
+pub fn exact(scenario: &Scenario, args: &AtArgs) -> Result<Option<Exact>> {
     let Some(chosen) = args.engine.exact() else { return Ok(None) };
     let rule = Rule::of(scenario)?;
     let line = rule.line(&scenario.start)?;
     let answers = engine::positions(&line, &args.at, chosen)?;
-    let outcome = match args.verify {
-        Some(primes) => cross_check(&rule, scenario, &answers, primes, args.seed)?,
-        None => Outcome::Holds,
-    };
+    let check = |primes| cross_check(&rule, scenario, &answers, primes, args.seed);
+    let verified = args.verify.map(check).transpose()?;
     let rows = answers.into_iter().map(|answer| row(scenario, answer)).collect::<Result<_>>()?;
-    Ok(Some((rows, outcome)))
+    Ok(Some((rows, verified)))
 }
 
 fn row(scenario: &Scenario, answer: Answer) -> Result<Row> {
@@ -121,11 +124,11 @@ fn cross_check(
     answers: &[Answer],
     primes: u8,
     seed: Option<u64>,
-) -> Result<Outcome> {
+) -> Result<Verification> {
     let seed = seed.unwrap_or_else(verify::fresh_seed);
     let found = verify::verify(rule, &scenario.start, answers, primes.into(), seed)?;
     eprint!("{}", report(&found));
-    Ok(if found.disagreement.is_some() { Outcome::Refuted } else { Outcome::Holds })
+    Ok(found)
 }
 
 fn report(found: &Verification) -> String {
@@ -173,7 +176,7 @@ pub fn certain(
                 .collect();
             let page = json!({
                 "schema": "cordon-digits/1",
-                "evidence": "enclosed in fixed point, every digit certain",
+                "evidence": EVIDENCE,
                 "places": places,
                 "rows": rows,
             });
@@ -191,6 +194,7 @@ pub fn certain(
             head.extend(table::names(scenario.count()));
             let line = |d: &digits::Digits| [vec![d.k.to_string()], decimals(d)].concat();
             table::stream(&head, None, found.iter().map(line), out)?;
+            writeln!(out, "\n({EVIDENCE})")?;
         }
     }
     let short = found.iter().any(|d| d.certain() < places);

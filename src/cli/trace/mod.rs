@@ -12,8 +12,9 @@ use crate::cli::select::FormArg;
 use at::{AtArgs, Shape};
 use cordon_core::theorems;
 use cordon_core::{Error, Outcome, Result};
+use cordon_run::fast::verify::Verification;
 use cordon_run::scenario::Scenario;
-use cordon_run::trace::{Checked, Row, Selection, Unit, applicable, check, select};
+use cordon_run::trace::{Checked, Counted, Row, Selection, applicable, check, select};
 use show::Numbers;
 
 /// Arguments of `cordon trace`.
@@ -27,7 +28,7 @@ pub struct Args {
     /// Count ticks instead of protocol steps, up to this one
     #[arg(long, value_name = "K")]
     ticks: Option<u64>,
-    /// First row
+    /// First row, a step or tick
     #[arg(long, value_name = "K", default_value_t = 0)]
     from: u64,
     /// Last row [default: the last step or tick]
@@ -40,7 +41,7 @@ pub struct Args {
     #[arg(long, value_name = "NUMBERS")]
     check: Option<String>,
     /// Form of the checked theorems
-    #[arg(long, value_enum, default_value_t = FormArg::Sharp)]
+    #[arg(long, value_enum, default_value_t = FormArg::Sharp, requires = "check")]
     form: FormArg,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
@@ -48,9 +49,9 @@ pub struct Args {
     /// How numbers are written [default: decimal in tables, both in csv]
     #[arg(long, value_enum)]
     numbers: Option<Numbers>,
-    /// Decimal places, rounded half to even
-    #[arg(long, value_name = "D", default_value_t = 4)]
-    digits: usize,
+    /// Decimal places, rounded half to even, up to 10000 [default: 4]
+    #[arg(long, value_name = "D")]
+    digits: Option<usize>,
     /// Draw a small plot below the table
     #[arg(long)]
     plot: bool,
@@ -71,15 +72,22 @@ enum Format {
 }
 
 /// Most decimal places: more digits than any use, few enough to print.
-const MAX_DIGITS: usize = 10_000;
+pub(in crate::cli) const MAX_DIGITS: usize = 10_000;
 
 /// Prints the trace of a scenario.
 pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    if args.digits > MAX_DIGITS {
-        return Err(Error::input(format!(
-            "digits: `{}`: expected at most {MAX_DIGITS}",
-            args.digits
-        )));
+    if let Some(digits) = args.digits.filter(|digits| *digits > MAX_DIGITS) {
+        return Err(Error::input(format!("digits: `{digits}`: expected at most {MAX_DIGITS}")));
+    }
+    if args.numbers.is_some() && matches!(args.format, Format::Json | Format::Itf) {
+        return Err(Error::input(
+            "numbers: expected together with the formats `table` and `csv` only",
+        ));
+    }
+    let no_decimals = args.format == Format::Itf
+        || (args.format == Format::Table && args.numbers == Some(Numbers::Fraction));
+    if args.digits.is_some() && no_decimals {
+        return Err(Error::input("digits: expected where decimals are written"));
     }
     if args.plot && args.format != Format::Table {
         return Err(Error::input("plot: expected together with the format `table` only"));
@@ -94,8 +102,8 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         return chosen_steps(args, &scenario, out);
     }
     let (unit, last) = match args.ticks {
-        Some(ticks) => (Unit::Ticks, ticks),
-        None => (Unit::Steps, args.steps.unwrap_or(scenario.steps)),
+        Some(ticks) => (Counted::Ticks, ticks),
+        None => (Counted::Steps, args.steps.unwrap_or(scenario.steps)),
     };
     let selection =
         Selection { unit, from: args.from, to: args.to.unwrap_or(last), every: args.every };
@@ -127,7 +135,8 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             plotted.push(row.clone());
         }
     };
-    print(args, &scenario, &mut rows.inspect(keep), Some(selection), &checks, out)?;
+    let found = Checks { along: &checks, verified: None };
+    print(args, &scenario, &mut rows.inspect(keep), Some(selection), found, out)?;
     not_applicable(args, &foreign, out)?;
     if args.plot {
         show::plot(unit, &plotted, out)?;
@@ -154,20 +163,36 @@ fn not_applicable(
     Ok(())
 }
 
+impl Args {
+    /// Decimal places.
+    fn places(&self) -> usize {
+        self.digits.unwrap_or(4)
+    }
+}
+
+/// What was checked of a trace.
+#[derive(Clone, Copy)]
+struct Checks<'c> {
+    /// Theorems, along the run.
+    along: &'c [Checked],
+    /// The positions, against the plain spec.
+    verified: Option<&'c Verification>,
+}
+
 /// Writes the trace in the wanted form.
 fn print(
     args: &Args,
     scenario: &Scenario,
     rows: &mut dyn Iterator<Item = Row>,
     selection: Option<Selection>,
-    checks: &[Checked],
+    checks: Checks<'_>,
     out: &mut dyn Write,
 ) -> Result<()> {
-    let (digits, numbers) = (args.digits, args.numbers);
+    let (digits, numbers) = (args.places(), args.numbers);
     match args.format {
         Format::Table => {
             let numbers = numbers.unwrap_or(Numbers::Decimal);
-            show::table(scenario, rows, checks, numbers, digits, selection, out)
+            show::table(scenario, rows, checks.along, numbers, digits, selection, out)
         }
         Format::Csv => show::csv(scenario, rows, numbers.unwrap_or(Numbers::Both), digits, out),
         Format::Json => show::json(scenario, rows, checks, digits, out),
@@ -177,9 +202,11 @@ fn print(
 
 /// `--at`: the chosen steps only.
 fn chosen_steps(args: &Args, scenario: &Scenario, out: &mut dyn Write) -> Result<Outcome> {
-    if let Some((rows, outcome)) = at::exact(scenario, &args.at)? {
-        print(args, scenario, &mut rows.into_iter(), None, &[], out)?;
-        return Ok(outcome);
+    if let Some((rows, verified)) = at::exact(scenario, &args.at)? {
+        let (rows, verified) = (&mut rows.into_iter(), verified.as_ref());
+        print(args, scenario, rows, None, Checks { along: &[], verified }, out)?;
+        let disagrees = verified.is_some_and(|v| v.disagreement.is_some());
+        return Ok(if disagrees { Outcome::Refuted } else { Outcome::Holds });
     }
     let shape = match args.format {
         Format::Table => Shape::Table,
@@ -192,5 +219,5 @@ fn chosen_steps(args: &Args, scenario: &Scenario, out: &mut dyn Write) -> Result
     if matches!(args.numbers, Some(Numbers::Fraction | Numbers::Both)) {
         return Err(Error::input("numbers: fractions: expected together with exact engines only"));
     }
-    at::certain(scenario, &args.at, args.digits, shape, out)
+    at::certain(scenario, &args.at, args.places(), shape, out)
 }

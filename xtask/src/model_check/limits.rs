@@ -8,7 +8,7 @@ use std::thread::available_parallelism;
 pub struct Limits {
     /// Harnesses at a time.
     pub jobs: usize,
-    /// Seconds for each.
+    /// Most seconds for each harness.
     pub seconds: u64,
     /// Memory for each, in MiB of address space.
     pub mebibytes: u64,

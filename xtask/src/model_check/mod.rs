@@ -17,12 +17,17 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus, Stdio};
 
 use cordon_kani::Harness;
+use time::OffsetDateTime;
 
 pub use self::limits::Limits;
 use self::report::{Checked, Report};
-use self::results::Finding;
+use self::results::HarnessResult;
 use self::tool::Kani;
+use crate::verify::sources;
 use cordon_core::{Error, Result, files};
+
+/// What a run is about: a change of these makes its record stale.
+pub const SOURCES: [&str; 2] = ["spec/src", "kani/src"];
 
 /// Where Kani builds and writes, below the root.
 const TARGET: &str = "target/cordon-kani";
@@ -57,6 +62,8 @@ pub fn run(
             "`{filters}`: expected parts of the names of harnesses, as `cargo xtask kani --list` shows them"
         )));
     }
+    // Hashed before the run: what changes meanwhile makes the record stale.
+    let sources = sources::hash(root, &SOURCES).ok();
     let folder = root.join(TARGET);
     let results = folder.join(RESULTS);
     // What an earlier run left is no result of this one.
@@ -68,7 +75,9 @@ pub fn run(
     if reported.is_empty() && !status.success() {
         return Ok(Err(NotRun(format!("`cargo kani` ended with {status} before any harness"))));
     }
-    Ok(Ok(compare(&expected, reported, kani, limits)))
+    let (harnesses, unexpected) = compare(&expected, reported);
+    let date = OffsetDateTime::now_utc().date().to_string();
+    Ok(Ok(Report { kani: kani.clone(), date, sources, limits, harnesses, unexpected }))
 }
 
 /// Runs `cargo kani` under a limit of memory; what it prints goes to stderr.
@@ -104,21 +113,18 @@ fn read(folder: &Path) -> Result<BTreeMap<String, String>> {
     Ok(found)
 }
 
-/// Holds what was reported against what was expected.
+/// Holds what was reported against what was expected: the harnesses, and what nobody asked for.
 fn compare(
     expected: &[&'static Harness],
     mut reported: BTreeMap<String, String>,
-    kani: &Kani,
-    limits: Limits,
-) -> Report {
+) -> (Vec<Checked>, Vec<String>) {
     let harnesses = expected.iter().map(|&harness| {
         let finding = match reported.remove(harness.name) {
             Some(text) => results::read(&text, harness.expected),
-            None => Finding::missing(),
+            None => HarnessResult::missing(),
         };
         Checked { harness, finding }
     });
     let harnesses = harnesses.collect();
-    // What is left nobody asked for.
-    Report { kani: kani.clone(), limits, harnesses, unexpected: reported.into_keys().collect() }
+    (harnesses, reported.into_keys().collect())
 }

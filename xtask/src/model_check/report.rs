@@ -6,7 +6,7 @@ use cordon_kani::{Expected, Harness};
 use serde::Serialize;
 
 use super::Limits;
-use super::results::{Finding, Verdict};
+use super::results::{Ending, HarnessResult};
 use super::tool::Kani;
 use cordon_core::{Error, Outcome, Result};
 
@@ -16,17 +16,21 @@ const SCHEMA: &str = "cordon-kani/1";
 /// A harness with what was found of it.
 #[derive(Clone, Debug)]
 pub struct Checked {
-    /// The harness.
+    /// The harness, as the crate `cordon-kani` lists it.
     pub harness: &'static Harness,
-    /// What was found.
-    pub finding: Finding,
+    /// What Kani's report of it amounts to.
+    pub finding: HarnessResult,
 }
 
-/// A run.
+/// What one run of Kani came to.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// What ran.
+    /// The Kani that ran, with its version.
     pub kani: Kani,
+    /// When, in UTC: `2026-01-31`.
+    pub date: String,
+    /// Hash of the sources that it ran for, where they are there.
+    pub sources: Option<String>,
     /// What it might take.
     pub limits: Limits,
     /// Every harness that was asked for.
@@ -39,6 +43,8 @@ pub struct Report {
 struct Page<'r> {
     schema: &'static str,
     kani: &'r str,
+    date: &'r str,
+    sources: Option<&'r str>,
     jobs: usize,
     seconds_limit: u64,
     mebibytes_limit: u64,
@@ -84,7 +90,7 @@ impl Report {
 
     /// How many harnesses were proved.
     pub fn proved(&self) -> usize {
-        self.harnesses.iter().filter(|c| c.finding.verdict == Verdict::Proved).count()
+        self.harnesses.iter().filter(|c| c.finding.verdict == Ending::Proved).count()
     }
 
     /// Writes a line for each harness, and a closing one.
@@ -95,7 +101,7 @@ impl Report {
         for Checked { harness, finding } in &self.harnesses {
             let time = finding.seconds.map_or_else(|| "-".to_owned(), |s| format!("{s:.1} s"));
             let verdict = match (finding.verdict, harness.expected) {
-                (Verdict::Proved, Expected::Fails) => "found",
+                (Ending::Proved, Expected::Fails) => "found",
                 (verdict, _) => verdict.label(),
             };
             let (name, subject) = (harness.name, harness.subject);
@@ -112,7 +118,7 @@ impl Report {
             .harnesses
             .iter()
             .filter(|c| {
-                c.finding.verdict == Verdict::Proved && c.harness.expected == Expected::Fails
+                c.finding.verdict == Ending::Proved && c.harness.expected == Expected::Fails
             })
             .count();
         let (kani, all) = (&self.kani, self.harnesses.len());
@@ -133,6 +139,8 @@ impl Report {
         let page = Page {
             schema: SCHEMA,
             kani: &self.kani.version,
+            date: &self.date,
+            sources: self.sources.as_deref(),
             jobs: self.limits.jobs,
             seconds_limit: self.limits.seconds,
             mebibytes_limit: self.limits.mebibytes,

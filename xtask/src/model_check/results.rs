@@ -6,7 +6,7 @@ use cordon_core::Outcome;
 
 /// How a harness ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum Ending {
     /// Every check holds, or the expected counterexample was found; every cover is met.
     Proved,
     /// A check fails that has to hold, or none fails where one has to.
@@ -23,7 +23,22 @@ pub enum Verdict {
     Missing,
 }
 
-impl Verdict {
+impl Ending {
+    const ALL: [Self; 7] = [
+        Self::Proved,
+        Self::Refuted,
+        Self::Vacuous,
+        Self::TimedOut,
+        Self::OutOfMemory,
+        Self::Broken,
+        Self::Missing,
+    ];
+
+    /// The verdict with this label.
+    pub fn labelled(label: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|v| v.label() == label)
+    }
+
     /// The verdict in a word or two.
     pub fn label(self) -> &'static str {
         match self {
@@ -50,9 +65,9 @@ impl Verdict {
 
 /// What was found of a harness.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Finding {
+pub struct HarnessResult {
     /// How it ended.
-    pub verdict: Verdict,
+    pub verdict: Ending,
     /// What is wrong, in words; empty where nothing is.
     pub detail: String,
     /// Checks made, the covers aside.
@@ -63,11 +78,11 @@ pub struct Finding {
     pub seconds: Option<f64>,
 }
 
-impl Finding {
+impl HarnessResult {
     /// Of a harness without a report.
     pub fn missing() -> Self {
         Self {
-            verdict: Verdict::Missing,
+            verdict: Ending::Missing,
             detail: "no report of it".to_owned(),
             checks: 0,
             covers: (0, 0),
@@ -93,7 +108,7 @@ impl Check {
 /// Reads the file that Kani wrote about a harness (its `regular` format).
 ///
 /// The verdict is that of the checks, each with its status; Kani's own closing line has to agree.
-pub fn read(text: &str, expected: Expected) -> Finding {
+pub fn read(text: &str, expected: Expected) -> HarnessResult {
     let checks = checks(text);
     let (covers, asserted): (Vec<_>, Vec<_>) = checks.iter().partition(|c| c.is_cover());
     let met = covers.iter().filter(|c| c.status == "SATISFIED").count();
@@ -106,33 +121,31 @@ pub fn read(text: &str, expected: Expected) -> Finding {
     let succeeded = said.is_some_and(|s| s.starts_with("SUCCESSFUL"));
 
     let (verdict, detail) = if text.contains("CBMC timed out") {
-        (Verdict::TimedOut, "the time limit was reached".to_owned())
+        (Ending::TimedOut, "the time limit was reached".to_owned())
     } else if text.contains("out of memory") || text.contains("bad_alloc") {
-        (Verdict::OutOfMemory, "the memory limit was reached".to_owned())
+        (Ending::OutOfMemory, "the memory limit was reached".to_owned())
     } else if asserted.is_empty() || said.is_none() {
         let last = text.lines().rfind(|l| !l.trim().is_empty()).unwrap_or("an empty report");
-        (Verdict::Broken, last.trim().to_owned())
+        (Ending::Broken, last.trim().to_owned())
     } else {
         match expected {
             Expected::Holds if !failed.is_empty() => {
                 let first: Vec<_> = failed.iter().map(|c| c.description.as_str()).collect();
-                (Verdict::Refuted, first.join("; "))
+                (Ending::Refuted, first.join("; "))
             }
             Expected::Fails if failed.is_empty() => {
-                (Verdict::Refuted, "no counterexample where one was expected".to_owned())
+                (Ending::Refuted, "no counterexample where one was expected".to_owned())
             }
-            _ if !succeeded => {
-                (Verdict::Refuted, format!("Kani says {}", said.unwrap_or_default()))
-            }
-            Expected::Holds if open => (Verdict::Broken, "a check is undetermined".to_owned()),
-            _ if covers.is_empty() => (Verdict::Vacuous, "it has no cover".to_owned()),
+            _ if !succeeded => (Ending::Refuted, format!("Kani says {}", said.unwrap_or_default())),
+            Expected::Holds if open => (Ending::Broken, "a check is undetermined".to_owned()),
+            _ if covers.is_empty() => (Ending::Vacuous, "it has no cover".to_owned()),
             _ if met < covers.len() => {
-                (Verdict::Vacuous, format!("{met} of {} covers met", covers.len()))
+                (Ending::Vacuous, format!("{met} of {} covers met", covers.len()))
             }
-            _ => (Verdict::Proved, String::new()),
+            _ => (Ending::Proved, String::new()),
         }
     };
-    Finding {
+    HarnessResult {
         verdict,
         detail,
         checks: asserted.len(),
@@ -191,14 +204,14 @@ VERIFICATION:- SUCCESSFUL
 Verification Time: 2.5s
 ";
 
-    fn verdict(text: &str, expected: Expected) -> Verdict {
+    fn verdict(text: &str, expected: Expected) -> Ending {
         read(text, expected).verdict
     }
 
     #[test]
     fn a_report_is_read() {
         let finding = read(PROVED, Expected::Holds);
-        assert_eq!(finding.verdict, Verdict::Proved);
+        assert_eq!(finding.verdict, Ending::Proved);
         assert_eq!((finding.checks, finding.covers), (1, (1, 1)));
         assert_eq!(finding.seconds, Some(2.5));
         assert_eq!(finding.detail, "");
@@ -208,49 +221,49 @@ Verification Time: 2.5s
     fn whatever_is_amiss_is_no_proof() {
         let failing = PROVED.replace("Status: SUCCESS", "Status: FAILURE");
         let failing = failing.replace("VERIFICATION:- SUCCESSFUL", "VERIFICATION:- FAILED");
-        assert_eq!(verdict(&failing, Expected::Holds), Verdict::Refuted);
+        assert_eq!(verdict(&failing, Expected::Holds), Ending::Refuted);
         assert!(read(&failing, Expected::Holds).detail.contains("add with overflow"));
         // A failure that Kani would let pass.
         let lenient = PROVED.replace("Status: SUCCESS", "Status: FAILURE");
-        assert_eq!(verdict(&lenient, Expected::Holds), Verdict::Refuted);
+        assert_eq!(verdict(&lenient, Expected::Holds), Ending::Refuted);
         // Its closing line alone.
         let closing = PROVED.replace("VERIFICATION:- SUCCESSFUL", "VERIFICATION:- FAILED");
-        assert_eq!(verdict(&closing, Expected::Holds), Verdict::Refuted);
+        assert_eq!(verdict(&closing, Expected::Holds), Ending::Refuted);
         let cut = PROVED.split("SUMMARY").next().unwrap_or_default();
-        assert_eq!(verdict(cut, Expected::Holds), Verdict::Broken);
+        assert_eq!(verdict(cut, Expected::Holds), Ending::Broken);
         let unmet = PROVED.replace("SATISFIED", "UNSATISFIABLE");
-        assert_eq!(verdict(&unmet, Expected::Holds), Verdict::Vacuous);
+        assert_eq!(verdict(&unmet, Expected::Holds), Ending::Vacuous);
         let unreachable = PROVED.replace("SATISFIED", "UNREACHABLE");
-        assert_eq!(verdict(&unreachable, Expected::Holds), Verdict::Vacuous);
+        assert_eq!(verdict(&unreachable, Expected::Holds), Ending::Vacuous);
         let undetermined = PROVED.replace("Status: SUCCESS", "Status: UNDETERMINED");
-        assert_eq!(verdict(&undetermined, Expected::Holds), Verdict::Broken);
+        assert_eq!(verdict(&undetermined, Expected::Holds), Ending::Broken);
         let none = PROVED.replace("step_3.cover.1", "step_3.assertion.2");
         let none = none.replace("SATISFIED", "SUCCESS");
-        assert_eq!(verdict(&none, Expected::Holds), Verdict::Vacuous);
+        assert_eq!(verdict(&none, Expected::Holds), Ending::Vacuous);
         let slow = "CBMC failed\nVERIFICATION:- FAILED\nCBMC timed out. You may want to rerun\n";
-        assert_eq!(verdict(slow, Expected::Holds), Verdict::TimedOut);
-        assert_eq!(verdict(slow, Expected::Fails), Verdict::TimedOut);
+        assert_eq!(verdict(slow, Expected::Holds), Ending::TimedOut);
+        assert_eq!(verdict(slow, Expected::Fails), Ending::TimedOut);
         let large = "CBMC failed\nVERIFICATION:- FAILED\nCBMC ran out of memory\n";
-        assert_eq!(verdict(large, Expected::Holds), Verdict::OutOfMemory);
+        assert_eq!(verdict(large, Expected::Holds), Ending::OutOfMemory);
         let failed = "CBMC failed with status 6\nVERIFICATION:- FAILED\n";
-        assert_eq!(verdict(failed, Expected::Fails), Verdict::Broken);
-        assert_eq!(verdict("", Expected::Holds), Verdict::Broken);
+        assert_eq!(verdict(failed, Expected::Fails), Ending::Broken);
+        assert_eq!(verdict("", Expected::Holds), Ending::Broken);
     }
 
     #[test]
     fn a_counterexample_has_to_be_found_where_one_is_expected() {
-        assert_eq!(verdict(PROVED, Expected::Fails), Verdict::Refuted);
+        assert_eq!(verdict(PROVED, Expected::Fails), Ending::Refuted);
         let found = PROVED.replace("Status: SUCCESS", "Status: FAILURE");
-        assert_eq!(verdict(&found, Expected::Fails), Verdict::Proved);
+        assert_eq!(verdict(&found, Expected::Fails), Ending::Proved);
         let unmet = found.replace("SATISFIED", "UNSATISFIABLE");
-        assert_eq!(verdict(&unmet, Expected::Fails), Verdict::Vacuous);
+        assert_eq!(verdict(&unmet, Expected::Fails), Ending::Vacuous);
     }
 
     #[test]
     fn every_verdict_has_its_outcome() {
-        assert_eq!(Verdict::Proved.outcome(), Outcome::Holds);
-        assert_eq!(Verdict::Refuted.outcome(), Outcome::Refuted);
-        assert_eq!(Verdict::TimedOut.outcome(), Outcome::Inconclusive);
-        assert_eq!(Finding::missing().verdict.outcome(), Outcome::Rejected);
+        assert_eq!(Ending::Proved.outcome(), Outcome::Holds);
+        assert_eq!(Ending::Refuted.outcome(), Outcome::Refuted);
+        assert_eq!(Ending::TimedOut.outcome(), Outcome::Inconclusive);
+        assert_eq!(HarnessResult::missing().verdict.outcome(), Outcome::Rejected);
     }
 }

@@ -1,4 +1,4 @@
-//! Finding Kani, and the versions that the harnesses are written for.
+//! HarnessResult Kani, and the versions that the harnesses are written for.
 
 use std::fmt;
 use std::process::{Command, Stdio};

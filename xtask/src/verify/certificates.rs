@@ -4,18 +4,18 @@ use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use cordon_check::Verdict as Answer;
+use cordon_check::Verdict as CheckerVerdict;
 use cordon_proof::prove::{CLAIMS, stated};
 use cordon_spec::theorems::{Form, Theorem};
 use serde_json::Value;
 
-use super::{Evidence, Status, Tier, Verdict, this_program};
+use super::{Evidence, Status, Tier, TierVerdict, this_program};
 use cordon_core::files;
 
 /// Where the certificates are, below the root.
 const FOLDER: &str = "proofs/certificates";
 
-/// The tier.
+/// Certificates in `proofs/certificates`.
 #[derive(Debug)]
 pub struct Certificates {
     folder: PathBuf,
@@ -30,7 +30,7 @@ struct Judged {
     claim: String,
     /// Whether it is the theorem itself: the sharp form, every N, all weights of its range.
     whole: bool,
-    verdict: Verdict,
+    verdict: TierVerdict,
     seconds: f64,
 }
 
@@ -77,9 +77,9 @@ fn judge(path: &Path) -> Result<Judged, String> {
     let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     let said = answer.to_string();
     let verdict = match answer {
-        Answer::Valid { .. } => Verdict::Holds,
-        Answer::Invalid { .. } | Answer::Unreadable { .. } => {
-            Verdict::Rejected(format!("{name}: {said}"))
+        CheckerVerdict::Valid { .. } => TierVerdict::Holds,
+        CheckerVerdict::Invalid { .. } | CheckerVerdict::Unreadable { .. } => {
+            TierVerdict::Rejected(format!("{name}: {said}"))
         }
     };
     Ok(Judged { claim, whole, verdict, seconds })
@@ -126,9 +126,9 @@ impl Tier for Certificates {
             accepted(theorem.number()).filter(|_| parts.all(|c| accepted(c.name).is_some()));
         let worst = mine.iter().map(|j| &j.verdict).max_by_key(|v| v.outcome().code());
         let verdict = match (worst, itself) {
-            (Some(worst), _) if *worst != Verdict::Holds => worst.clone(),
-            (_, Some(_)) => Verdict::Holds,
-            _ => Verdict::Inconclusive("only parts or extensions of it are certified".into()),
+            (Some(worst), _) if *worst != TierVerdict::Holds => worst.clone(),
+            (_, Some(_)) => TierVerdict::Holds,
+            _ => TierVerdict::Inconclusive("only parts or extensions of it are certified".into()),
         };
         let scope = match itself {
             Some(j) => format!("{} (sharp) for every N >= 3, all weights of its range", j.claim),
@@ -139,10 +139,10 @@ impl Tier for Certificates {
         Status::Run { verdict, scope, seconds: mine.iter().map(|j| j.seconds).sum() }
     }
 
-    fn problems(&self) -> Vec<Verdict> {
+    fn problems(&self) -> Vec<TierVerdict> {
         let Ok(judged) = self.judged() else { return Vec::new() };
         let of_no_theorem =
             judged.iter().filter(|j| !Theorem::ALL.iter().any(|&t| is_about(&j.claim, t)));
-        of_no_theorem.map(|j| j.verdict.clone()).filter(|v| *v != Verdict::Holds).collect()
+        of_no_theorem.map(|j| j.verdict.clone()).filter(|v| *v != TierVerdict::Holds).collect()
     }
 }

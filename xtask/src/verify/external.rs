@@ -11,7 +11,7 @@ use std::time::Instant;
 
 use cordon_spec::theorems::Theorem;
 
-use super::{Context, Evidence, Status, Tier, Verdict};
+use super::{Context, Evidence, Status, Tier, TierVerdict};
 use cordon_core::files;
 
 /// What distinguishes one such tier from another.
@@ -68,7 +68,7 @@ pub struct External {
 
 #[derive(Debug)]
 struct Ran {
-    verdict: Verdict,
+    verdict: TierVerdict,
     seconds: f64,
 }
 
@@ -113,11 +113,11 @@ impl External {
         let seconds = started.elapsed().as_secs_f64();
         let said = String::from_utf8_lossy(&out.stdout);
         let verdict = if out.status.success() {
-            Verdict::Holds
+            TierVerdict::Holds
         } else {
             let last: Vec<_> = said.lines().filter(|l| !l.trim().is_empty()).collect();
             let tail = last.get(last.len().saturating_sub(3)..).unwrap_or_default().join("; ");
-            Verdict::Rejected(format!("`{program}` ended with {}: {tail}", out.status))
+            TierVerdict::Rejected(format!("`{program}` ended with {}: {tail}", out.status))
         };
         Ok(Ran { verdict, seconds })
     }

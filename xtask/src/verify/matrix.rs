@@ -5,7 +5,7 @@ use std::path::Path;
 use cordon_spec::theorems::Theorem;
 
 use super::record::Records;
-use super::{Evidence, Status, Tier, Verdict, sources};
+use super::{Evidence, Status, Tier, TierVerdict, sources};
 use cordon_core::Outcome;
 
 /// What is known of a theorem by one kind of evidence.
@@ -18,7 +18,7 @@ pub enum Cell {
     /// Run now.
     Run {
         /// What was found.
-        verdict: Verdict,
+        verdict: TierVerdict,
         /// What was covered.
         scope: String,
         /// How long it took, in seconds.
@@ -27,7 +27,7 @@ pub enum Cell {
     /// Verified by record: the sources are those of the record.
     Recorded {
         /// What was found.
-        verdict: Verdict,
+        verdict: TierVerdict,
         /// What was covered.
         scope: String,
         /// When, and by what.
@@ -55,7 +55,7 @@ pub struct Origin {
 
 impl Cell {
     /// What it contributes to the outcome, if anything.
-    fn verdict(&self) -> Option<&Verdict> {
+    fn verdict(&self) -> Option<&TierVerdict> {
         match self {
             Self::Run { verdict, .. } | Self::Recorded { verdict, .. } => Some(verdict),
             Self::NotClaimed(_) | Self::NotRun(_) | Self::Stale { .. } => None,
@@ -76,10 +76,10 @@ impl Cell {
     /// The result in a word, where there is one.
     pub fn result(&self) -> Option<&'static str> {
         self.verdict().map(|v| match v {
-            Verdict::Holds => "holds",
-            Verdict::Refuted(_) => "refuted",
-            Verdict::Rejected(_) => "rejected",
-            Verdict::Inconclusive(_) => "inconclusive",
+            TierVerdict::Holds => "holds",
+            TierVerdict::Refuted(_) => "refuted",
+            TierVerdict::Rejected(_) => "rejected",
+            TierVerdict::Inconclusive(_) => "inconclusive",
         })
     }
 
@@ -92,8 +92,10 @@ impl Cell {
             }
             Self::Run { verdict, scope, .. } | Self::Recorded { verdict, scope, .. } => {
                 match verdict {
-                    Verdict::Holds => scope.clone(),
-                    Verdict::Refuted(why) | Verdict::Rejected(why) | Verdict::Inconclusive(why) => {
+                    TierVerdict::Holds => scope.clone(),
+                    TierVerdict::Refuted(why)
+                    | TierVerdict::Rejected(why)
+                    | TierVerdict::Inconclusive(why) => {
                         format!("{why} ({scope})")
                     }
                 }
@@ -118,25 +120,25 @@ impl Cell {
     }
 }
 
-/// One tier's column.
+/// What one tier has to say of each theorem.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
     /// Name of the tier.
     pub name: &'static str,
-    /// Evidence of evidence.
+    /// The kind of evidence.
     pub kind: Evidence,
     /// One cell a theorem, in the matrix's order.
     pub cells: Vec<Cell>,
     /// What is wrong beside the theorems.
-    pub problems: Vec<Verdict>,
+    pub problems: Vec<TierVerdict>,
 }
 
 /// Theorem x kind of evidence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Matrix {
-    /// The rows.
+    /// The theorems, one a row.
     pub theorems: Vec<Theorem>,
-    /// The columns.
+    /// The tiers, one a column.
     pub columns: Vec<Column>,
 }
 
@@ -190,7 +192,7 @@ impl Matrix {
         let problems = self.columns.iter().flat_map(|c| c.problems.iter());
         let worst = verdicts
             .chain(problems)
-            .map(Verdict::outcome)
+            .map(TierVerdict::outcome)
             .filter(|o| matches!(o, Outcome::Refuted | Outcome::Rejected))
             .fold(Outcome::Holds, Outcome::worst);
         let ran = self

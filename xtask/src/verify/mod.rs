@@ -24,7 +24,7 @@ use cordon_core::{Evidence, Outcome};
 
 /// What a tier that ran has found of a theorem.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum TierVerdict {
     /// The theorem holds as far as the evidence reaches.
     Holds,
     /// It does not: with a counterexample in words.
@@ -35,7 +35,13 @@ pub enum Verdict {
     Inconclusive(String),
 }
 
-impl Verdict {
+impl TierVerdict {
+    /// The worse of two verdicts, the first where they are alike.
+    #[must_use]
+    pub fn worse(self, other: Self) -> Self {
+        if self.outcome().worst(other.outcome()) == self.outcome() { self } else { other }
+    }
+
     /// What a run with this verdict ends with.
     pub fn outcome(&self) -> Outcome {
         match self {
@@ -57,7 +63,7 @@ pub enum Status {
     /// It was run.
     Run {
         /// What it found.
-        verdict: Verdict,
+        verdict: TierVerdict,
         /// What was covered, in words.
         scope: String,
         /// How long it took, in seconds. What a tier does for all theorems at once it says of
@@ -85,7 +91,7 @@ pub trait Tier {
     fn status(&self, theorem: Theorem) -> Status;
 
     /// What it found wrong that belongs to no theorem.
-    fn problems(&self) -> Vec<Verdict> {
+    fn problems(&self) -> Vec<TierVerdict> {
         Vec::new()
     }
 }

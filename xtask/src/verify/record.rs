@@ -6,7 +6,7 @@ use cordon_spec::theorems::Theorem;
 use serde::{Deserialize, Serialize};
 use time::OffsetDateTime;
 
-use super::{Status, Tier, Verdict, sources};
+use super::{Status, Tier, TierVerdict, model_checked, sources};
 use cordon_core::{Error, Result, files};
 
 /// The file, below the repository's root.
@@ -15,7 +15,7 @@ const FILE: &str = "proofs/records.json";
 /// Version of its format.
 const SCHEMA: &str = "cordon-records/1";
 
-/// All records.
+/// The records of the repository, one a tier at most.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Records {
@@ -35,7 +35,7 @@ pub struct Record {
     pub date: String,
     /// Hash of the sources it was run for.
     pub sources: String,
-    /// What it found.
+    /// What it found of each theorem.
     pub theorems: Vec<Entry>,
 }
 
@@ -43,7 +43,7 @@ pub struct Record {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Entry {
-    /// The theorem's number.
+    /// The theorem's number, like `7.4ii`.
     pub number: String,
     /// What was found: `holds`, `refuted`, `rejected` or `inconclusive`.
     pub result: Found,
@@ -69,23 +69,30 @@ pub enum Found {
 
 impl Entry {
     /// The verdict with the recorded words.
-    pub fn verdict(&self) -> Verdict {
+    pub fn verdict(&self) -> TierVerdict {
         let said = self.scope.clone();
         match self.result {
-            Found::Holds => Verdict::Holds,
-            Found::Refuted => Verdict::Refuted(said),
-            Found::Rejected => Verdict::Rejected(said),
-            Found::Inconclusive => Verdict::Inconclusive(said),
+            Found::Holds => TierVerdict::Holds,
+            Found::Refuted => TierVerdict::Refuted(said),
+            Found::Rejected => TierVerdict::Rejected(said),
+            Found::Inconclusive => TierVerdict::Inconclusive(said),
         }
     }
 }
 
 impl Records {
-    /// The repository's records; none where there is no file.
+    /// The repository's records, that of the model checker among them, which is a file of its
+    /// own; none where there is no file.
     ///
     /// # Errors
     /// A file that is no record file of this version.
     pub fn read(root: &Path) -> Result<Self> {
+        let mut records = Self::read_own(root)?;
+        records.records.extend(model_checked::recorded(root)?);
+        Ok(records)
+    }
+
+    fn read_own(root: &Path) -> Result<Self> {
         let path = root.join(FILE);
         if !path.exists() {
             return Ok(Self { schema: SCHEMA.to_owned(), records: Vec::new() });
@@ -114,8 +121,14 @@ impl Records {
     /// place of the tier's record before.
     ///
     /// # Errors
-    /// The tier does not run, or the file cannot be written.
+    /// The tier does not run or has a record of its own, or the file cannot be written.
     pub fn record(mut self, root: &Path, tier: &dyn Tier, theorems: &[Theorem]) -> Result<PathBuf> {
+        if tier.name() == model_checked::NAME {
+            return Err(Error::input(format!(
+                "--record: `kani`: expected `cargo xtask kani --out {}`, which writes its record",
+                model_checked::RECORD
+            )));
+        }
         // Hashed before the run: what changes meanwhile makes the record stale.
         let hash = sources::hash(root, tier.sources())?;
         let mut entries = Vec::new();
@@ -134,7 +147,7 @@ impl Records {
             let (name, why) = (tier.name(), reasons.join("; "));
             return Err(Error::input(format!("--record: `{name}` did not run: {why}")));
         }
-        self.records.retain(|r| r.tier != tier.name());
+        self.records.retain(|r| ![tier.name(), model_checked::NAME].contains(&r.tier.as_str()));
         self.records.push(Record {
             tier: tier.name().to_owned(),
             tool: tier.tool(),
@@ -146,17 +159,18 @@ impl Records {
         let path = root.join(FILE);
         let text = serde_json::to_string_pretty(&self)
             .map_err(|e| Error::internal(format!("{}: {e}", path.display())))?;
-        files::write_atomically(&path, format!("{text}\n").as_bytes())?;
+        files::write_regardless(&path, |out| Ok(writeln!(out, "{text}")?))?;
         Ok(path)
     }
 }
 
-fn entry(theorem: Theorem, verdict: Verdict, scope: String, seconds: f64) -> Entry {
+/// The entry of a record about a theorem.
+pub(super) fn entry(theorem: Theorem, verdict: TierVerdict, scope: String, seconds: f64) -> Entry {
     let (result, scope) = match verdict {
-        Verdict::Holds => (Found::Holds, scope),
-        Verdict::Refuted(why) => (Found::Refuted, why),
-        Verdict::Rejected(why) => (Found::Rejected, why),
-        Verdict::Inconclusive(why) => (Found::Inconclusive, why),
+        TierVerdict::Holds => (Found::Holds, scope),
+        TierVerdict::Refuted(why) => (Found::Refuted, why),
+        TierVerdict::Rejected(why) => (Found::Rejected, why),
+        TierVerdict::Inconclusive(why) => (Found::Inconclusive, why),
     };
     let seconds = (seconds * 10.0).round() / 10.0;
     Entry { number: theorem.number().to_owned(), result, scope, seconds }

@@ -4,12 +4,12 @@ use std::time::Instant;
 
 use cordon_spec::theorems::{Form, Theorem};
 
-use super::{Evidence, Status, Tier, Verdict, this_program};
+use super::{Evidence, Status, Tier, TierVerdict, this_program};
 use cordon_core::Result;
 use cordon_run::scenario::Scenario;
 use cordon_run::{scenario, trace};
 
-/// The tier.
+/// Random exact runs of the spec.
 #[derive(Clone, Copy, Debug)]
 pub struct Simulated;
 
@@ -50,11 +50,11 @@ impl Tier for Simulated {
         let mut seen = Seen::default();
         let verdict =
             match SCENARIOS.iter().try_for_each(|&(name, text)| seen.look(name, text, theorem)) {
-                Err(e) => Verdict::Inconclusive(e.to_string()),
+                Err(e) => TierVerdict::Inconclusive(e.to_string()),
                 Ok(()) => match (seen.violation, seen.met) {
-                    (Some(violation), _) => Verdict::Refuted(violation),
-                    (None, 0) => Verdict::Inconclusive("no scenario meets its premise".into()),
-                    (None, _) => Verdict::Holds,
+                    (Some(violation), _) => TierVerdict::Refuted(violation),
+                    (None, 0) => TierVerdict::Inconclusive("no scenario meets its premise".into()),
+                    (None, _) => TierVerdict::Holds,
                 },
             };
         let scope = format!(

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use cordon_spec::theorems::{Form, Theorem};
 
-use super::{Evidence, Status, Tier, Verdict};
+use super::{Evidence, Status, Tier, TierVerdict};
 use cordon_proof::export::conjecture::Conjecture;
 use cordon_proof::export::smt_model::{Response, read_answer};
 use cordon_proof::export::smt2::{Query, WeightDomain, obligations};
@@ -53,14 +53,14 @@ impl Tier for Smt {
         let queries: Vec<_> = DRONES
             .flat_map(|n| obligations(claim, Form::Sharp, n, &WeightDomain::OfHypothesis))
             .collect();
-        let verdict = queries.iter().map(solve).find(|v| *v != Verdict::Holds);
+        let verdict = queries.iter().map(solve).find(|v| *v != TierVerdict::Holds);
         let (first, last) = (DRONES.start(), DRONES.end());
         let scope = format!(
             "N = {first}..{last}, all eps in its range, all starts, all k: {} obligations",
             queries.len()
         );
         Status::Run {
-            verdict: verdict.unwrap_or(Verdict::Holds),
+            verdict: verdict.unwrap_or(TierVerdict::Holds),
             scope,
             seconds: started.elapsed().as_secs_f64(),
         }
@@ -74,16 +74,18 @@ fn version() -> Option<String> {
     out.status.success().then(|| text.lines().next().unwrap_or(SOLVER).trim().to_owned())
 }
 
-fn solve(query: &Query) -> Verdict {
+fn solve(query: &Query) -> TierVerdict {
     let name = query.name();
     match ask(&query.text())
         .map_err(|e| e.to_string())
         .and_then(|text| read_answer(query, &text).map_err(|e| e.to_string()))
     {
-        Ok(Response::Unsat) => Verdict::Holds,
-        Ok(Response::Sat(_)) => Verdict::Refuted(format!("obligation {name} is satisfiable")),
-        Ok(Response::Unknown(word)) => Verdict::Inconclusive(format!("obligation {name}: {word}")),
-        Err(why) => Verdict::Inconclusive(format!("obligation {name}: {why}")),
+        Ok(Response::Unsat) => TierVerdict::Holds,
+        Ok(Response::Sat(_)) => TierVerdict::Refuted(format!("obligation {name} is satisfiable")),
+        Ok(Response::Unknown(word)) => {
+            TierVerdict::Inconclusive(format!("obligation {name}: {word}"))
+        }
+        Err(why) => TierVerdict::Inconclusive(format!("obligation {name}: {why}")),
     }
 }
 

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use cordon_spec::theorems::{Form, Theorem};
 
-use super::{Evidence, Status, Tier, Verdict, this_program};
+use super::{Evidence, Status, Tier, TierVerdict, this_program};
 use cordon_core::Result;
 use cordon_proof::sweep::run::{Progress, run};
 use cordon_proof::sweep::summary::{Summary, summaries};
@@ -14,7 +14,7 @@ use cordon_proof::sweep::{Config, Judgement, StartSpace, WeightSet};
 #[derive(Clone, Copy, Debug)]
 pub struct Grid;
 
-/// Complete sweeps.
+/// Sweeps from all real starts.
 #[derive(Clone, Copy, Debug)]
 pub struct Complete;
 
@@ -60,15 +60,15 @@ impl Size {
             return Status::NotRun("the sweep has no work item".into());
         };
         let verdict = match claim.verdict {
-            Judgement::Holds => Verdict::Holds,
-            Judgement::Refuted => Verdict::Refuted(format!(
+            Judgement::Holds => TierVerdict::Holds,
+            Judgement::Refuted => TierVerdict::Refuted(format!(
                 "{} of {} combinations of N and eps violate it",
                 claim.refuted, claim.items
             )),
-            Judgement::Vacuous => Verdict::Inconclusive("no case meets its premise".into()),
+            Judgement::Vacuous => TierVerdict::Inconclusive("no case meets its premise".into()),
             Judgement::Undecided => {
                 let why = claim.reason.unwrap_or_else(|| "no reason given".into());
-                Verdict::Inconclusive(format!(
+                TierVerdict::Inconclusive(format!(
                     "{} of {} combinations of N and eps undecided: {why}",
                     claim.undecided, claim.items
                 ))

@@ -33,12 +33,12 @@ impl Affine {
         Self { parts: Some(Parts { constant, coefficients }) }
     }
 
-    /// A constant form.
+    /// The form that is `value` whatever the variables are.
     pub fn constant(value: Rational) -> Self {
         Self::new(value, Vec::new())
     }
 
-    /// The variable x_j.
+    /// The form that is the variable x_j, counted from 0.
     pub fn variable(j: usize) -> Self {
         let mut coefficients = vec![Rational::zero(); j];
         coefficients.push(Rational::one());

@@ -29,10 +29,10 @@ impl Sign {
     }
 }
 
-/// One demand.
+/// A linear inequality or equation, strict or not.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Constraint {
-    /// The form.
+    /// The affine form that is compared with 0.
     pub form: Affine,
     /// What is demanded of it.
     pub sign: Sign,

@@ -2,6 +2,7 @@
 //! of the spec, simple fractions, Perron vectors.
 
 pub mod affine;
+pub mod definite;
 pub mod enclosure;
 pub mod feasible;
 pub mod matrix;

@@ -21,9 +21,9 @@ use crate::stencil::Stencil;
 pub struct Perron {
     /// w_1 .. w_{N-2}, all positive.
     pub weights: Vec<BigInt>,
-    /// The least r_i.
+    /// The least r_i, in lowest terms: bounds the spectral radius from below.
     pub least: Rational,
-    /// The largest r_i.
+    /// The largest r_i, in lowest terms: bounds the spectral radius from above.
     pub largest: Rational,
 }
 

@@ -8,6 +8,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::ring_operators;
 use crate::Rational;
+use crate::linear::affine::Affine;
 
 /// A product of powers of indeterminates: indeterminate -> exponent, zero exponents left out.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -44,7 +45,7 @@ impl Polynomial {
         Self::term(Monomial(BTreeMap::from([(v, 1)])), Rational::one())
     }
 
-    /// A constant.
+    /// The polynomial of degree 0 with this value.
     pub fn constant(c: Rational) -> Self {
         Self::term(Monomial::default(), c)
     }
@@ -66,6 +67,26 @@ impl Polynomial {
     /// Whether this is the zero polynomial.
     pub fn is_zero(&self) -> bool {
         self.0.is_empty()
+    }
+
+    /// The form in the indeterminates that it is; `None` where it is not affine.
+    pub fn affine(&self) -> Option<Affine> {
+        let mut constant = Rational::zero();
+        let mut coefficients = Vec::new();
+        for (m, c) in &self.0 {
+            match m.powers().collect::<Vec<_>>().as_slice() {
+                [] => constant = c.clone(),
+                [(v, 1)] => {
+                    let v = *v as usize;
+                    if coefficients.len() <= v {
+                        coefficients.resize(v + 1, Rational::zero());
+                    }
+                    *coefficients.get_mut(v)? = c.clone();
+                }
+                _ => return None,
+            }
+        }
+        Some(Affine::new(constant, coefficients))
     }
 
     /// The value where indeterminate `v` stands for `value(v)`.

@@ -17,7 +17,7 @@ impl Modulus {
         (p < 1 << 63 && p > 2 && is_prime(p)).then_some(Self(p))
     }
 
-    /// The prime.
+    /// The prime p, from 2^60 to 2^61 where it was drawn at random.
     pub fn prime(self) -> u64 {
         self.0
     }

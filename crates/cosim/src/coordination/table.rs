@@ -19,17 +19,17 @@ pub enum Slot {
     Desired,
     /// Output `own`: the desired position, exact. Where positions travel exactly.
     Own,
-    /// Parameter `id`.
+    /// Parameter `id`: the drone's place in the line, from 0.
     Id,
-    /// Parameter `count`.
+    /// Parameter `count`: the number of drones N.
     Count,
-    /// Parameter `min`.
+    /// Parameter `min`: left end of the segment, in m.
     Min,
-    /// Parameter `max`.
+    /// Parameter `max`: right end of the segment, in m.
     Max,
-    /// Parameter `weight`.
+    /// Parameter `weight`: eps, dimensionless.
     Weight,
-    /// Parameter `start`.
+    /// Parameter `start`: the desired position at the start, in m.
     Start,
     /// Parameter `period`, in ticks.
     Period,
@@ -37,7 +37,8 @@ pub enum Slot {
     FirstUpdate,
     /// Parameter `skip_lost`: skip an update for which a message was lost.
     SkipLost,
-    /// Parameter `displacement`.
+    /// Parameter `displacement`: sum of the wanted displacements from the neighbours, in m
+    /// (formation).
     Displacement,
 }
 

@@ -15,9 +15,9 @@ use cordon_core::exact::{self, Rational};
 /// A version of the FMI standard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FmiVersion {
-    /// FMI 2.0.
+    /// FMI 2.0, of 2014.
     V2,
-    /// FMI 3.0.
+    /// FMI 3.0, of 2022.
     V3,
 }
 
@@ -36,9 +36,9 @@ impl FmiVersion {
 pub enum Model {
     /// The coordination unit of the coverage protocol; positions travel as said.
     Coordination(Positions),
-    /// The controller.
+    /// The cascaded controller: position and attitude to rotors.
     Control,
-    /// The quadcopter.
+    /// The quadcopter, linear around hover.
     Plant,
 }
 
@@ -47,7 +47,7 @@ pub enum Model {
 pub enum Positions {
     /// As text `p/q`, exactly.
     Exact,
-    /// As doubles.
+    /// As doubles: rounded once on their way.
     Double,
     /// As doubles read with six significant digits, as in the recorded runs.
     SixDigits,

@@ -15,6 +15,8 @@ pub mod description;
 pub mod import;
 pub mod interface;
 #[cfg(feature = "package")]
+pub(crate) mod model_description;
+#[cfg(feature = "package")]
 pub mod package;
 pub mod slave;
 pub mod snapshot;

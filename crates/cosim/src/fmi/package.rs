@@ -52,7 +52,8 @@ pub fn archive(files: &[(&str, &[u8])]) -> Result<Vec<u8>> {
         .compression_method(CompressionMethod::Deflated)
         .last_modified_time(DateTime::default())
         .unix_permissions(0o644);
-    let fail = |e: zip::result::ZipError| Error::input(format!("the archive cannot be made: {e}"));
+    let fail =
+        |e: zip::result::ZipError| Error::internal(format!("the archive cannot be made: {e}"));
     for (path, content) in files {
         zip.start_file(*path, options).map_err(fail)?;
         zip.write_all(content)?;

@@ -33,7 +33,7 @@ pub enum Severity {
 }
 
 impl Refusal {
-    /// A refused call.
+    /// A refused call, after which the instance is as it was.
     pub fn error(message: impl Into<String>) -> Self {
         Self { severity: Severity::Error, message: message.into() }
     }

@@ -32,9 +32,9 @@ pub struct Assembly {
 /// An instance of an exported unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instance {
-    /// Its name.
+    /// Its name, unique in the co-simulation.
     pub name: String,
-    /// The unit.
+    /// Which unit of this program it is an instance of.
     pub model: Model,
     /// Parameters, and inputs that nothing is connected to, where they differ from the model's
     /// start values.

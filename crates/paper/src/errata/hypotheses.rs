@@ -6,7 +6,7 @@ use cordon_spec::{Params, Scalar, State};
 use num_traits::{One, Signed, Zero};
 
 use super::runs::paper_start;
-use super::{Erratum, Finding, finding};
+use super::{Erratum, Recomputed, recomputed};
 use cordon_core::exact::{Rational, decimal_string};
 use cordon_core::linear::rows::Row;
 use cordon_core::stencil::Stencil;
@@ -75,12 +75,12 @@ fn verdict(theorem: Theorem, form: Form, eps: Rational, start: Vec<Rational>) ->
     theorem.conclusion(form, &Setting::from(&p), &placements(&p, start, span))
 }
 
-fn simulated_start() -> Finding {
+fn simulated_start() -> Recomputed {
     let start = paper_start();
     let setting = Setting::from(&params(fraction(1, 5), &start));
     let assumption_three = StartSet::FirstSubsegment.contains(&setting, &start).is_true();
     let upper_bounded = StartSet::UpperBounded.contains(&setting, &start).is_true();
-    finding(
+    recomputed(
         !assumption_three && upper_bounded,
         "the simulated start (0, 10, 20, 30, 100) has l = 25 and a drone at 30; it does meet X_i <= T_i",
     )
@@ -95,18 +95,18 @@ fn ordering_kept(count: usize, eps: &Rational) -> bool {
     rows.len() + 1 == count && rows.iter().all(positive)
 }
 
-fn one_third() -> Finding {
+fn one_third() -> Recomputed {
     const DRONES: std::ops::RangeInclusive<usize> = 4..=12;
     let safe = |eps: &Rational| DRONES.into_iter().all(|n| ordering_kept(n, eps));
     let kept = [fraction(1, 3), fraction(2, 5), fraction(1, 2)].iter().all(safe);
     let beyond = DRONES.into_iter().any(|n| ordering_kept(n, &fraction(501, 1000)));
-    finding(
+    recomputed(
         kept && !beyond,
         "a step keeps every ordered start ordered at eps = 1/3, 2/5 and 1/2 for N = 4..12 (complete for all starts), and not at 501/1000",
     )
 }
 
-fn weight_zero() -> Finding {
+fn weight_zero() -> Recomputed {
     let allowed = WeightRange::Unit.contains(&Rational::zero(), &Rational::one(), 6).is_true();
     // Off target at the fourth of six drones only, so that the printed premise of 7.7 holds.
     let start = || integers(&[0, 1, 2, 2, 4, 5]);
@@ -117,19 +117,19 @@ fn weight_zero() -> Finding {
         })
         .map(|t| t.number())
         .collect();
-    finding(
+    recomputed(
         allowed && fails.len() == 3,
         format!("eps = 0 moves nothing and falsifies {} from (0, 1, 2, 2, 4, 5)", fails.join(", ")),
     )
 }
 
-fn not_monotonic() -> Finding {
+fn not_monotonic() -> Recomputed {
     let start = integers(&[0, 10, 11, 24, 100]);
     let run = placements(&params(fraction(1, 5), &start), start, 1);
     let x1 = |k: usize| run.get(k).and_then(|x| x.get(1)).cloned().unwrap_or_default();
     let (before, after) = (x1(0), x1(1));
     // The target, 25, is ahead: a monotonic approach would not fall.
-    finding(
+    recomputed(
         after < before,
         format!(
             "from (0, 10, 11, 24, 100) with eps = 1/5 drone 1 goes from {before} to {}, away from 25",
@@ -138,7 +138,7 @@ fn not_monotonic() -> Finding {
     )
 }
 
-fn slipped_indices() -> Finding {
+fn slipped_indices() -> Recomputed {
     // Off target at drone 2 only: the sum stays for one step and increases in the next, though
     // no j >= 3 is off target, and with h = 1.
     let start = integers(&[0, 25, 40, 75, 100]);
@@ -152,7 +152,7 @@ fn slipped_indices() -> Finding {
         [a, b, c] => (format!("{a}, {b}, {c}"), a == b && b < c),
         _ => (String::new(), false),
     };
-    finding(
+    recomputed(
         printed == Verdict::Vacuous && exact == Verdict::Holds && increases_at_once,
         format!(
             "from (0, 25, 40, 75, 100) only j = 2 is off target, outside the printed premise; the sums are {shown}: an increase with h = 1"

@@ -1,7 +1,7 @@
 //! The errata engine: the paper's slips (PROTOCOL section 4), each established anew by
 //! computation whenever it is asked.
 //!
-//! No finding is stored: every number in a [`Finding`] comes from running the spec, or from
+//! No result is stored: every number in a [`Recomputed`] comes from running the spec, or from
 //! exact algebra on the equations as printed.
 
 mod hypotheses;
@@ -18,12 +18,12 @@ pub struct Erratum {
     pub place: &'static str,
     /// What it says there.
     pub printed: &'static str,
-    compute: fn() -> Finding,
+    compute: fn() -> Recomputed,
 }
 
 /// What the computation found.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Finding {
+pub struct Recomputed {
     /// Whether the printed statement is indeed wrong, or not needed, or incomplete.
     pub established: bool,
     /// What is so instead, with the computed values.
@@ -31,8 +31,8 @@ pub struct Finding {
 }
 
 impl Erratum {
-    /// Computes the finding.
-    pub fn establish(&self) -> Finding {
+    /// Runs the spec, and says whether the paper's print is wrong as claimed.
+    pub fn establish(&self) -> Recomputed {
         (self.compute)()
     }
 }
@@ -45,7 +45,7 @@ pub fn all() -> Vec<Erratum> {
     errata
 }
 
-/// A finding from a condition and a text.
-fn finding(established: bool, computed: impl Into<String>) -> Finding {
-    Finding { established, computed: computed.into() }
+/// A result from a condition and a text.
+fn recomputed(established: bool, computed: impl Into<String>) -> Recomputed {
+    Recomputed { established, computed: computed.into() }
 }

@@ -2,7 +2,7 @@
 
 use num_traits::{One, Signed, Zero};
 
-use super::{Erratum, Finding, finding};
+use super::{Erratum, Recomputed, recomputed};
 use cordon_core::exact::Rational;
 
 pub(super) const ERRATA: &[Erratum] = &[
@@ -69,17 +69,17 @@ fn stable_quartic(p: &[Rational]) -> bool {
     positive && a3 * a2 * a1 > a1 * a1 + a3 * a3 * a0
 }
 
-fn lateral_sign() -> Finding {
+fn lateral_sign() -> Recomputed {
     // At psi_d = 90 degrees y depends on theta alone: sin = 1, cos = 0. The controller's angle
     // has theta_c = -(2 lP y' + lP^2 e_y)/g, so +g theta closes the loop with sign +1.
     let (printed, corrected) = (horizontal(-1), horizontal(1));
-    finding(
+    recomputed(
         grows(&printed) && stable_quartic(&corrected),
         "at psi_d = 90 degrees the printed sign closes the y loop with a mode that grows; y'' = -g phi cos psi_d + g theta sin psi_d is stable",
     )
 }
 
-fn vertical_sign() -> Finding {
+fn vertical_sign() -> Recomputed {
     // The rotors add up to w_z, so z'' = C_z w_z = -2 lP z' + lP^2 e_z as printed.
     let lp = fraction(2, 5);
     let loop_with = |sign: i32| -> Coefficients {
@@ -87,7 +87,7 @@ fn vertical_sign() -> Finding {
     };
     let (printed, corrected) = (loop_with(-1), loop_with(1));
     let stable = corrected.iter().all(Signed::is_positive);
-    finding(
+    recomputed(
         grows(&printed) && stable,
         "the printed sign gives s^2 + 2 lP s - lP^2, which has a positive root; with - lP^2 e_z it is (s + lP)^2",
     )
@@ -102,14 +102,14 @@ const MIXING: [[i32; 4]; 4] = [[1, 0, -2, 1], [1, 2, 0, -1], [1, 0, 2, 1], [1, -
 /// Four times the rows of equation 4 as printed.
 const PRINTED_ROWS: [[i32; 4]; 3] = [[1, 0, -2, 1], [1, 0, 2, -1], [1, -2, 0, -1]];
 
-fn mixing() -> Finding {
+fn mixing() -> Recomputed {
     let entry = |i: usize, j: usize| -> i32 {
         EFFECTS[i].iter().zip(&MIXING).map(|(e, row)| e * row[j]).sum()
     };
     let indices = || (0..4).flat_map(|i| (0..4).map(move |j| (i, j)));
     let inverse = indices().all(|(i, j)| entry(i, j) == if i == j { 4 } else { 0 });
     let right = PRINTED_ROWS.iter().filter(|row| MIXING.contains(row)).count();
-    finding(
+    recomputed(
         inverse && PRINTED_ROWS.len() < 4 && right < PRINTED_ROWS.len(),
         format!(
             "of the {} printed rows {right} belong to the inverse of the plant's rotor effects, which needs 4; the four rows of PROTOCOL section 3 are that inverse",
@@ -118,11 +118,11 @@ fn mixing() -> Finding {
     )
 }
 
-fn not_first_order() -> Finding {
+fn not_first_order() -> Recomputed {
     let p = horizontal(1);
     let real = real_roots(&p);
     let order = p.len() - 1;
-    finding(
+    recomputed(
         stable_quartic(&p) && order > 1 && real < order,
         format!("along x the loop has order {order} with {real} real poles and a complex pair"),
     )

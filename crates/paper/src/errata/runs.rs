@@ -4,7 +4,7 @@ use cordon_spec::Phase;
 use cordon_spec::Scalar;
 use num_traits::Signed;
 
-use super::{Erratum, Finding, finding};
+use super::{Erratum, Recomputed, recomputed};
 use cordon_core::exact::{Rational, decimal_string};
 use cordon_run::scenario::{Protocol, Scenario, Topology};
 use cordon_run::simulate;
@@ -39,7 +39,7 @@ pub(super) const ERRATA: &[Erratum] = &[
 /// Ticks a second at the paper's co-simulation step of 0.05 s.
 const TICKS_PER_SECOND: u64 = 20;
 
-/// The paper's start.
+/// The start of the paper's runs, in m: 0, 10, 20, 30, 100.
 pub(super) fn paper_start() -> Vec<Rational> {
     [0, 10, 20, 30, 100].map(Rational::from_int).to_vec()
 }
@@ -78,22 +78,22 @@ fn farthest(x: &[Rational], places: impl Fn(usize) -> Rational) -> Rational {
     distances.max().unwrap_or_default()
 }
 
-fn drone_three_after_one_update() -> Finding {
+fn drone_three_after_one_update() -> Recomputed {
     let positions = at_second(&coverage(7), 0);
     let after = simulate::run(&coverage(7)).find(|s| s.step == 1);
     let x3 = after.and_then(|s| s.state.drones.get(3).cloned()).unwrap_or_default();
     let far = Rational::from_int(100) - &x3 > Rational::from_int(10);
     let from = positions.get(3).cloned().unwrap_or_default();
-    finding(far, format!("the first update takes drone 3 from {from} to {x3}"))
+    recomputed(far, format!("the first update takes drone 3 from {from} to {x3}"))
 }
 
-fn half_converges_fastest() -> Finding {
+fn half_converges_fastest() -> Recomputed {
     let centre = |tenths| at_second(&coverage(tenths), 8).get(2).cloned().unwrap_or_default();
     let [slow, middle, fast] = [1, 3, 5].map(centre);
     let target = Rational::from_int(50);
     let distance = |x: &Rational| (x - &target).abs();
     let fastest = distance(&fast) < distance(&middle) && distance(&middle) < distance(&slow);
-    finding(
+    recomputed(
         fastest,
         format!(
             "at 8 s the centre drone's desired position is {}, {}, {} for eps = 0.1, 0.3, 0.5: the highest is nearest to 50",
@@ -104,22 +104,22 @@ fn half_converges_fastest() -> Finding {
     )
 }
 
-fn error_after_four_seconds() -> Finding {
+fn error_after_four_seconds() -> Recomputed {
     let target = |i: usize| Rational::from_int(25) * Rational::from_index(i);
     let error = farthest(&at_second(&coverage(2), 4), target);
     let visible = error > Rational::from_int(1);
-    finding(
+    recomputed(
         visible,
         format!("eps = 0.2: at 4 s the largest error is {}", decimal_string(&error, 2)),
     )
 }
 
-fn consensus_after_ten_seconds() -> Finding {
+fn consensus_after_ten_seconds() -> Recomputed {
     let graph = Topology::Path(paper_start().len());
     let x = at_second(&scenario(Protocol::Consensus { graph }, 3), 10);
     let off = farthest(&x, |_| Rational::from_int(32));
     let shown: Vec<_> = x.iter().map(|xi| decimal_string(xi, 2)).collect();
-    finding(
+    recomputed(
         off > Rational::new(1.into(), 10.into()),
         format!("at 10 s they are {}: within {} of 32", shown.join(", "), decimal_string(&off, 2)),
     )

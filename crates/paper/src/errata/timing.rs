@@ -5,7 +5,7 @@ use cordon_spec::local::{LocalParams, TickRatio, fmu_tick, project};
 use cordon_spec::{Params, Phase, Scalar, State};
 
 use super::runs::paper_start;
-use super::{Erratum, Finding, finding};
+use super::{Erratum, Recomputed, recomputed};
 use cordon_core::exact::Rational;
 
 pub(super) const ERRATA: &[Erratum] = &[
@@ -45,7 +45,7 @@ fn paper_params(eps: Rational, n: u32) -> Params<Rational> {
 
 /// The ticks in which an update happens, seen by the counter's return to 0, for `n` = 4 and a
 /// counter that starts at 0 as in Listing 4.
-fn period_of_the_listings() -> Finding {
+fn period_of_the_listings() -> Recomputed {
     const N: u32 = 4;
     const TICKS: u64 = 16;
     let params = paper_params(tenths(2), N);
@@ -69,7 +69,7 @@ fn period_of_the_listings() -> Finding {
         _ => 0,
     };
     let n = u64::from(N);
-    finding(
+    recomputed(
         period(&global_updates) != n && period(&local_updates) != n,
         format!(
             "with n = {n} Listing 4 updates in ticks {global_updates:?} and Listing 6 in ticks {local_updates:?}: every {} ticks",
@@ -78,19 +78,19 @@ fn period_of_the_listings() -> Finding {
     )
 }
 
-fn three_periods() -> Finding {
+fn three_periods() -> Recomputed {
     let seconds = Rational::from_int(3) * tenths(2);
-    finding(seconds != tenths(3), format!("3 * 0.2 s = {seconds} s"))
+    recomputed(seconds != tenths(3), format!("3 * 0.2 s = {seconds} s"))
 }
 
-fn period_of_seven_tenths() -> Finding {
+fn period_of_seven_tenths() -> Recomputed {
     let ticks = tenths(7) / Rational::new(1.into(), 20.into());
-    finding(ticks != Rational::from_int(12), format!("0.7 s / 0.05 s = {ticks} steps"))
+    recomputed(ticks != Rational::from_int(12), format!("0.7 s / 0.05 s = {ticks} steps"))
 }
 
 /// With indices 0..N-1 the drones that stay are 0 and N-1; index N of equation 10 is none of
 /// them and index 0 is missing from it.
-fn numbering() -> Finding {
+fn numbering() -> Recomputed {
     let params = paper_params(tenths(2), 0);
     let count = paper_start().len();
     let fixed: Vec<usize> = (0..=count)
@@ -100,7 +100,7 @@ fn numbering() -> Finding {
             x == params.min || x == params.max
         })
         .collect();
-    finding(
+    recomputed(
         !fixed.contains(&count),
         format!(
             "for N = {count} Listing 4 keeps the drones {fixed:?} in place, equation 10 the drones 1 and {count}"

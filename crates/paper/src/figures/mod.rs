@@ -113,7 +113,7 @@ impl Figure {
         let runs = self
             .tenths
             .iter()
-            .map(|&tenths| Ok((tenths, run::run(&self.swarm(tenths)?, |_| {})?)))
+            .map(|&tenths| Ok((tenths, run::run(&self.swarm(tenths)?)?)))
             .collect::<Result<Vec<_>>>()?;
         let lines = match self.shown {
             Shown::Centre => runs

@@ -34,7 +34,7 @@ pub enum WeightDomain {
     OfHypothesis,
     /// 0 <= eps <= 1 (the paper's definition 6) without those of the sharp hypothesis.
     Beyond,
-    /// An interval.
+    /// The weights of an interval, instead of the theorem's.
     Interval(Interval),
 }
 
@@ -90,15 +90,15 @@ impl Obligation {
 /// One satisfiability question, complete in itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Query {
-    /// Theorem or companion.
+    /// What is claimed: a theorem, or one of the companions of 7.3.
     pub claim: Conjecture,
-    /// Which reading.
+    /// As printed, or sharp.
     pub form: Form,
     /// The number of drones N.
     pub drones: usize,
-    /// What is asked.
+    /// What has to be unsatisfiable.
     pub obligation: Obligation,
-    /// Of which weights.
+    /// The weights that are meant.
     pub weights: WeightDomain,
 }
 

@@ -11,7 +11,7 @@ use cordon_core::{Error, Rational, Result, exact, violation};
 /// What a solver said.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Response {
-    /// No model exists.
+    /// There is no model: what was asked holds.
     Unsat,
     /// A model exists; its values if the solver gave them.
     Sat(Option<Model>),
@@ -22,7 +22,7 @@ pub enum Response {
 /// Values of a query's symbols.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Model {
-    /// Segment and weight.
+    /// Ends of the segment and weight, exact.
     pub params: Params<Rational>,
     /// Position of every drone at the start.
     pub start: Vec<Rational>,

@@ -14,7 +14,7 @@ use super::{
 use crate::certificate::Departure;
 use crate::counterexample::Counterexample;
 use cordon_core::linear::affine::Affine;
-use cordon_core::{Error, Rational, Result};
+use cordon_core::{Error, Rational, Result, progress};
 
 /// Most drones: every step has 2^(N-2) patterns.
 pub const MOST: usize = 12;
@@ -44,8 +44,10 @@ pub fn search(space: &SearchSpace) -> Result<SearchResult> {
         for eps in space.weights_for(count) {
             if kept_by_every_pattern(space, count, &eps) {
                 covered.push(Coverage { count, eps, extent: Extent::EveryStartAndStep });
+                progress::advance(space.pieces_of_one());
             } else {
                 open.push(Patterns::new(space, count, eps));
+                progress::advance(1);
             }
         }
         for k in 0..=space.steps {
@@ -53,6 +55,7 @@ pub fn search(space: &SearchSpace) -> Result<SearchResult> {
                 if let Some(found) = patterns.at_step(k) {
                     return Ok(SearchResult { found: Some(found), covered });
                 }
+                progress::advance(1);
             }
         }
         covered.extend(open.into_iter().map(|p| Coverage { count, eps: p.eps, extent: p.extent }));

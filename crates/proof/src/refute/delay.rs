@@ -17,7 +17,7 @@ use crate::certificate::Departure;
 use crate::counterexample::Counterexample;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Sign};
-use cordon_core::{Error, Rational, Result};
+use cordon_core::{Error, Rational, Result, progress};
 
 /// Most delay patterns at one number of drones and one weight.
 const MOST_PATTERNS: usize = 100_000;
@@ -45,6 +45,7 @@ pub fn search(space: &SearchSpace, longest: usize) -> Result<SearchResult> {
         let (closed, open): (Vec<_>, Vec<_>) =
             weights.into_iter().partition(|eps| kept_whatever_is_seen(space, count, eps));
         let close = |eps| Coverage { count, eps, extent: Extent::EveryStartAndStep };
+        progress::advance(closed.len() as u64 * space.pieces_of_one());
         covered.extend(closed.into_iter().map(close));
         if open.is_empty() {
             continue;
@@ -60,6 +61,7 @@ pub fn search(space: &SearchSpace, longest: usize) -> Result<SearchResult> {
                 };
                 best = along(space, count, eps, delays, last).or(best);
             }
+            progress::advance(space.pieces_of_one());
         }
         if best.is_some() {
             return Ok(SearchResult { found: best, covered });

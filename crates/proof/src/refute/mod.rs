@@ -20,17 +20,17 @@ use num_traits::{One, Zero};
 use crate::counterexample::Counterexample;
 use crate::symbolic::Symbol;
 use conjunction::ways_to_fail;
-use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::Sign;
+use cordon_core::{Rational, progress};
 use region::Region;
 
-/// What is searched.
+/// Where a counterexample is looked for: swarms, weights, steps.
 #[derive(Clone, Debug)]
 pub struct SearchSpace {
-    /// The theorem.
+    /// The theorem that is to be violated.
     pub theorem: Theorem,
-    /// In which form.
+    /// Whose starts and conclusion are meant: as printed, or sharp.
     pub form: Form,
     /// Numbers of drones, ascending.
     pub drones: Vec<usize>,
@@ -52,6 +52,17 @@ impl SearchSpace {
         };
         self.weights.iter().filter(searched).cloned().collect()
     }
+
+    /// The pieces of work of its search, as counted in [`progress`]: for each number of drones
+    /// and weight one, and one for each step.
+    pub fn pieces(&self) -> u64 {
+        let weights = self.drones.iter().map(|&count| self.weights_for(count).len());
+        weights.sum::<usize>() as u64 * self.pieces_of_one()
+    }
+
+    fn pieces_of_one(&self) -> u64 {
+        self.steps as u64 + 2
+    }
 }
 
 /// How far the absence of a counterexample is established.
@@ -70,9 +81,9 @@ pub enum Extent {
 pub struct Coverage {
     /// Number of drones.
     pub count: usize,
-    /// Weight.
+    /// The weight eps.
     pub eps: Rational,
-    /// How far.
+    /// How far the absence of a counterexample reaches.
     pub extent: Extent,
 }
 
@@ -85,7 +96,7 @@ pub struct SearchResult {
     pub covered: Vec<Coverage>,
 }
 
-/// Searches.
+/// Searches the smallest counterexample, at the least step of the fewest drones.
 pub fn search(space: &SearchSpace) -> SearchResult {
     let mut covered = Vec::new();
     for &count in &space.drones {
@@ -93,8 +104,10 @@ pub fn search(space: &SearchSpace) -> SearchResult {
         for eps in space.weights_for(count) {
             if impossible_at_every_step(space.theorem, space.form, count, &eps) {
                 covered.push(Coverage { count, eps, extent: Extent::EveryStartAndStep });
+                progress::advance(space.pieces_of_one());
             } else {
                 open.push(Search::new(space, count, eps));
+                progress::advance(1);
             }
         }
         for k in 0..=space.steps {
@@ -102,6 +115,7 @@ pub fn search(space: &SearchSpace) -> SearchResult {
                 if let Some(found) = search.at_step(k) {
                     return SearchResult { found: Some(found), covered };
                 }
+                progress::advance(1);
             }
         }
         covered.extend(open.into_iter().map(Search::covered));

@@ -18,9 +18,9 @@ use cordon_core::linear::simplest::strictly_between;
 pub struct Region {
     /// Number of drones.
     pub count: usize,
-    /// Extreme points.
+    /// Its extreme points, as positions of the internal drones.
     pub points: Vec<Vec<Rational>>,
-    /// Extreme directions.
+    /// Its extreme directions, where it is not bounded.
     pub directions: Vec<Vec<Rational>>,
     /// Whether the boundary is excluded.
     pub open: bool,

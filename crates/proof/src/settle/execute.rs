@@ -8,17 +8,17 @@ use cordon_spec::{Ordered, Params, State};
 use num_bigint::BigInt;
 
 use super::{beyond_half, ends};
-use cordon_core::Rational;
 use cordon_core::linear::perron::Perron;
+use cordon_core::{Rational, progress};
 
 /// The first step from which on every error of the run is at most `within`; `None` where the
-/// scalars cannot tell, or the run is longer than `steps`.
+/// scalars cannot tell, or the run is longer than `steps`; about `expected` are thought to be enough.
 pub fn settling_step<S: Ordered>(
     start: &[Rational],
     eps: &Rational,
     within: &Rational,
     vector: &Perron,
-    steps: u64,
+    [expected, steps]: [u64; 2],
     scalar: impl Fn(&Rational) -> S,
 ) -> Option<u64> {
     let count = start.len();
@@ -29,7 +29,9 @@ pub fn settling_step<S: Ordered>(
     let norm = NormBound::new(eps, vector, &bound, &scalar);
     let mut state = State { drones: start.iter().map(&scalar).collect::<Vec<S>>(), timesteps: 0 };
     let mut settled_from = 0;
+    progress::expect(expected.min(steps));
     for k in 0..=steps {
+        progress::advance(1);
         let errors = (1..count - 1)
             .map(|i| scaled_error(&params.min, &params.max, &state.drones, i))
             .collect::<Vec<S>>();

@@ -8,6 +8,8 @@ mod execute;
 mod power;
 mod stays;
 
+use std::ops::RangeInclusive;
+
 use cordon_spec::placement::{contraction_weight, scaled_error};
 use cordon_spec::{Params, Scalar};
 use num_bigint::BigInt;
@@ -18,7 +20,7 @@ use cordon_core::linear::perron::Perron;
 use cordon_core::{Error, Rational, Result};
 use cordon_run::fast::{Line, engine, within};
 use execute::settling_step;
-use power::{Rounding, least_power_at_most};
+pub(crate) use power::{Rounding, least_power_at_most};
 use stays::Stays;
 
 /// Which runs are meant.
@@ -44,7 +46,7 @@ pub enum Contraction {
 pub struct Proved {
     /// From this step on every drone is within the distance.
     pub step: u64,
-    /// The contraction.
+    /// The contraction that proves it.
     pub by: Contraction,
     /// Its factor c, below 1.
     pub rate: Rational,
@@ -65,16 +67,21 @@ pub enum Observed {
 pub enum Settling {
     /// Every run converges; proved steps, the weakest first, and the true one.
     Settles {
-        /// At least one.
+        /// At least one, the weakest contraction first.
         proved: Vec<Proved>,
         /// No earlier step than this will do: |A| w >= c w for the same vector w, where all
         /// errors of the start have the signs in which A acts on them like |A|; else 0.
         not_before: u64,
-        /// The true step.
+        /// The step from which on the runs really are within the distance.
         observed: Observed,
     },
     /// No contraction, and within the distance for ever from this step on all the same.
-    Stays(u64),
+    Stays {
+        /// The step.
+        step: u64,
+        /// Whether the runs meant converge: of one start that can be, of every start never.
+        converges: bool,
+    },
     /// The run from the one start is outside the distance again and again.
     NeverFromThisStart,
     /// Some run does not converge: |A| w >= w for this positive w.
@@ -82,6 +89,9 @@ pub enum Settling {
     /// The weight is too near the critical one for the precision tried.
     Undecided,
 }
+
+/// Numbers of drones that are accepted.
+pub const DRONES: RangeInclusive<usize> = 3..=10_000;
 
 /// Bits of the Perron vectors tried, the first that decides wins.
 const PRECISIONS: [u64; 3] = [40, 160, 1_300];
@@ -113,7 +123,7 @@ pub fn settling(starts: &Starts, eps: &Rational, within: &Rational) -> Result<Se
         };
         if vector.factor_below(eps) >= Rational::one() {
             return Ok(match stays::decide(&runs, within) {
-                Some(Stays::From(step)) => Settling::Stays(step),
+                Some(Stays::From(step, converges)) => Settling::Stays { step, converges },
                 Some(Stays::Never) if !runs.every => Settling::NeverFromThisStart,
                 _ => Settling::NotFromEveryStart(vector),
             });
@@ -122,17 +132,18 @@ pub fn settling(starts: &Starts, eps: &Rational, within: &Rational) -> Result<Se
         if rate >= Rational::one() {
             continue;
         }
-        let not_before = runs.not_before(within, &vector);
-        let observed = runs.observe(within, &vector, not_before);
         let step = runs.proved_step(&rate, within, |i| {
             Rational::from_integer(vector.weights.get(i - 1).cloned().unwrap_or_default())
         });
-        let by_vector = step.map(|step| Proved { step, rate, by: Contraction::OwnVector(vector) });
+        let by_vector =
+            step.map(|step| Proved { step, rate, by: Contraction::OwnVector(vector.clone()) });
         let proved: Vec<Proved> =
             runs.proved_for_every_n(within).into_iter().chain(by_vector).collect();
-        if proved.is_empty() {
+        let Some(at_most) = proved.iter().map(|p| p.step).min() else {
             return Ok(Settling::Undecided);
-        }
+        };
+        let not_before = runs.not_before(within, &vector);
+        let observed = runs.observe(within, &vector, [not_before, at_most]);
         return Ok(Settling::Settles { proved, not_before, observed });
     }
     Ok(Settling::Undecided)
@@ -155,9 +166,11 @@ impl Runs {
             Starts::One(start) => (start.len(), vec![start.clone()]),
             Starts::AllWithin(count) => (*count, extremes_within(*count, eps)),
         };
-        if !(3..=10_000).contains(&count) {
+        if !DRONES.contains(&count) {
             return Err(Error::input(format!(
-                "drones: `{count}`: expected a number from 3 to 10000"
+                "drones: `{count}`: expected a number from {} to {}",
+                DRONES.start(),
+                DRONES.end()
             )));
         }
         let every = matches!(starts, Starts::AllWithin(_));
@@ -255,9 +268,10 @@ impl Runs {
         }
     }
 
-    fn observe(&self, within: &Rational, vector: &Perron, not_before: u64) -> Observed {
+    /// The true step, which is known to be in `between`.
+    fn observe(&self, within: &Rational, vector: &Perron, between: [u64; 2]) -> Observed {
         let steps =
-            self.extremes.iter().map(|start| self.observe_one(start, within, vector, not_before));
+            self.extremes.iter().map(|start| self.observe_one(start, within, vector, between));
         // Undetermined as soon as one is.
         match steps.collect::<Option<Vec<u64>>>() {
             Some(steps) => Observed::Step(steps.into_iter().max().unwrap_or_default()),
@@ -276,11 +290,11 @@ impl Runs {
         start: &[Rational],
         within: &Rational,
         vector: &Perron,
-        not_before: u64,
+        [not_before, at_most]: [u64; 2],
     ) -> Option<u64> {
         let budget = MOST_DRONE_STEPS / self.count as u64;
         // Jumps are cheaper than that many steps.
-        if not_before > budget / 50
+        if at_most > budget / 50
             && let Some(step) = within::first_step(&self.line(start)?, within, engine::multiplier())
         {
             return Some(step);
@@ -288,7 +302,7 @@ impl Runs {
         if not_before > budget {
             return None;
         }
-        settling_step(start, &self.eps, within, vector, budget, Enclosure::<BITS>::of)
+        settling_step(start, &self.eps, within, vector, [at_most, budget], Enclosure::<BITS>::of)
             .or_else(|| {
                 // Distances that the usual enclosures cannot resolve.
                 let small = within.denom().bits().saturating_sub(within.numer().bits());
@@ -296,12 +310,13 @@ impl Runs {
                     return None;
                 }
                 let steps = budget / u64::from(FINE_BITS / BITS);
+                let steps = [at_most, steps];
                 settling_step(start, &self.eps, within, vector, steps, Enclosure::<FINE_BITS>::of)
             })
             .or_else(|| {
                 // N k^2 at most the limit.
                 let steps = (MOST_EXACT_WORK / self.count as u64).isqrt();
-                settling_step(start, &self.eps, within, vector, steps, Rational::clone)
+                settling_step(start, &self.eps, within, vector, [at_most, steps], Rational::clone)
             })
     }
 }

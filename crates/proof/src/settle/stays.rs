@@ -9,8 +9,9 @@ use cordon_core::Rational;
 /// What becomes of one run that does not converge by force of a contraction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stays {
-    /// Within the distance from this step on, for ever.
-    From(u64),
+    /// Within the distance from this step on, for ever; and whether the errors vanish in the
+    /// limit all the same.
+    From(u64, bool),
     /// Outside again and again.
     Never,
 }
@@ -27,8 +28,10 @@ const MOST_STEPS: u64 = 100_000;
 pub(super) fn decide(runs: &Runs, within: &Rational) -> Option<Stays> {
     let each = runs.extremes.iter().map(|start| one(runs, &errors(start), within));
     let all = each.collect::<Option<Vec<Stays>>>()?;
-    Some(all.into_iter().fold(Stays::From(0), |worst, this| match (worst, this) {
-        (Stays::From(a), Stays::From(b)) => Stays::From(a.max(b)),
+    // Of every start in the segment some does not converge, whatever its extreme ones do.
+    let first = Stays::From(0, !runs.every);
+    Some(all.into_iter().fold(first, |worst, this| match (worst, this) {
+        (Stays::From(a, all), Stays::From(b, this)) => Stays::From(a.max(b), all && this),
         _ => Stays::Never,
     }))
 }
@@ -42,7 +45,7 @@ fn errors(start: &[Rational]) -> Vec<Rational> {
 
 fn one(runs: &Runs, errors: &[Rational], within: &Rational) -> Option<Stays> {
     if errors.iter().all(Zero::is_zero) {
-        return Some(Stays::From(0));
+        return Some(Stays::From(0, true));
     }
     let one = Rational::one();
     let inside = |e: &Rational| e.abs() <= *within;
@@ -55,7 +58,7 @@ fn one(runs: &Runs, errors: &[Rational], within: &Rational) -> Option<Stays> {
         _ => return None,
     }
     let always = errors.iter().all(inside);
-    Some(if always { Stays::From(0) } else { Stays::Never })
+    Some(if always { Stays::From(0, false) } else { Stays::Never })
 }
 
 fn two() -> Rational {
@@ -71,7 +74,7 @@ fn pair(s: &Rational, d: &Rational, within: &Rational) -> Option<Stays> {
     }
     for k in 0..=MOST_STEPS {
         if &s + &d <= *within {
-            return Some(Stays::From(k));
+            return Some(Stays::From(k, d.is_zero()));
         }
         s /= &three;
     }

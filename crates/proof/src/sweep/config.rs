@@ -23,7 +23,7 @@ pub struct Config {
     pub forms: Vec<Form>,
     /// Fewest and most drones, at least 3.
     pub drones: [usize; 2],
-    /// The weights.
+    /// The weights eps, each theorem's own range of them.
     pub weights: WeightSet,
     /// Keep to each theorem's own range of weights; otherwise its conclusion is asked for
     /// every weight, which shows why the range is needed.
@@ -45,7 +45,7 @@ pub enum StartSpace {
     },
     /// Random starts on the grid.
     Sample {
-        /// As for `Grid`.
+        /// Grid units across the region where internal drones start, as for `Grid`.
         resolution: u32,
         /// How many starts a work item draws.
         samples: u64,
@@ -61,13 +61,13 @@ pub enum StartSpace {
 pub struct Item {
     /// Position in the sweep, from 0.
     pub number: usize,
-    /// The theorem.
+    /// The theorem that is swept.
     pub theorem: Theorem,
-    /// Its form.
+    /// As printed, or sharp.
     pub form: Form,
     /// Number of drones N.
     pub drones: usize,
-    /// The weight.
+    /// The one weight eps of the item.
     pub eps: Rational,
 }
 

@@ -20,7 +20,7 @@ use cordon_core::stencil::Stencil;
 /// Counts, and the first violation: least k, then first in the order of the starts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
-    /// The counts.
+    /// Starts, cases and violations so far.
     pub counts: Counts,
     /// The first violation: its step k and its start.
     pub first: Option<(usize, Vec<i64>)>,

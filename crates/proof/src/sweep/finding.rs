@@ -114,25 +114,25 @@ impl Counts {
 pub struct Finding {
     /// Position in the sweep, from 0.
     pub item: usize,
-    /// The theorem.
+    /// The theorem that was swept.
     #[serde(with = "serial")]
     pub theorem: Theorem,
-    /// Its form.
+    /// As printed, or sharp.
     #[serde(with = "serial")]
     pub form: Form,
     /// Number of drones N.
     pub drones: usize,
-    /// The weight.
+    /// The one weight eps of the item.
     #[serde(with = "serial")]
     pub eps: Rational,
     /// The kind of evidence.
     pub evidence: Evidence,
     /// Length of the segment in grid units; none in a complete sweep.
     pub segment: Option<i64>,
-    /// The counts.
+    /// Starts, cases and violations, as counted.
     #[serde(flatten)]
     pub counts: Counts,
-    /// What they say.
+    /// The verdict that the counts amount to.
     pub verdict: Judgement,
     /// The counterexample with the least k, and of these the first on the grid.
     pub counterexample: Option<Witness>,

@@ -37,7 +37,8 @@ pub fn simplest<'f>(
     };
     match item.refuted_by(witness.start.clone(), witness.step) {
         Some(found) => Ok(Some(shortest(&item, &found).unwrap_or(found))),
-        None => Err(Error::input(format!(
+        // Those of files were run again when they were read.
+        None => Err(Error::internal(format!(
             "work item {}: start and step of its counterexample violate nothing",
             item.number
         ))),

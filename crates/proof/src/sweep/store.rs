@@ -25,12 +25,12 @@ pub const SCHEMA: &str = "cordon-sweep/1";
 pub struct Shard {
     /// From 1 to `of`.
     pub index: usize,
-    /// Number of parts.
+    /// Number of parts, at least 1.
     pub of: usize,
 }
 
 impl Shard {
-    /// The whole sweep.
+    /// The whole sweep as its only part.
     pub const WHOLE: Self = Self { index: 1, of: 1 };
 
     /// Reads `i/n` with 1 <= i <= n.
@@ -56,9 +56,9 @@ impl Shard {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Header {
-    /// [`SCHEMA`].
+    /// Name and version of the format, [`SCHEMA`].
     pub schema: String,
-    /// What is swept.
+    /// The sweep: theorems, swarms, weights, steps, starts.
     pub config: Config,
     /// Which part of it.
     pub shard: Shard,
@@ -76,7 +76,7 @@ impl Header {
 /// A result file with what it holds so far.
 #[derive(Debug)]
 pub struct Read {
-    /// Its first line.
+    /// Its first line: which sweep, and which part of it.
     pub header: Header,
     /// Its findings, in the order of the file.
     pub findings: Vec<Finding>,

@@ -14,9 +14,9 @@ use cordon_core::{Evidence, Outcome, Result};
 /// What a sweep has found of one theorem in one form.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Summary {
-    /// The theorem.
+    /// The theorem that was swept.
     pub theorem: Theorem,
-    /// Its form.
+    /// As printed, or sharp.
     pub form: Form,
     /// Number of work items.
     pub items: usize,
@@ -30,11 +30,11 @@ pub struct Summary {
     pub refuted: usize,
     /// Counts of all items.
     pub counts: Counts,
-    /// What they say.
+    /// The verdict that all its work items together amount to.
     pub verdict: Judgement,
     /// The kind of evidence, where there is any.
     pub evidence: Option<Evidence>,
-    /// The simplest counterexample.
+    /// The simplest counterexample, where it is refuted.
     pub counterexample: Option<Counterexample>,
     /// Why the first undecided item is.
     pub reason: Option<String>,
@@ -97,7 +97,7 @@ pub fn outcome(summaries: &[Summary]) -> Outcome {
 }
 
 impl Summary {
-    /// For programs.
+    /// The summary as reports in JSON have it.
     pub fn json(&self) -> Value {
         json!({
             "theorem": self.theorem.number(),

@@ -13,16 +13,16 @@ use cordon_core::{Error, Rational, Result, serial};
 pub enum WeightSet {
     /// Every p/q in lowest terms with `from <= p/q <= to` and q at most `max_denominator`.
     Range {
-        /// Least weight.
+        /// The least weight, which belongs to the range.
         #[serde(with = "serial")]
         from: Rational,
-        /// Largest weight.
+        /// The largest weight, which belongs to the range.
         #[serde(with = "serial")]
         to: Rational,
         /// Largest denominator, at least 1.
         max_denominator: u32,
     },
-    /// These.
+    /// The weights listed, and no others.
     List(#[serde(with = "serial::list")] Vec<Rational>),
 }
 

@@ -79,7 +79,7 @@ impl Entry {
 /// The critical weight with what proves each side.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Critical {
-    /// Which property.
+    /// The cone that is kept below the critical weight.
     pub cone: Cone,
     /// The number of drones.
     pub count: usize,

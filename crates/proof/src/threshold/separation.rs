@@ -6,7 +6,7 @@ use num_bigint::BigInt;
 use num_traits::Pow;
 use serde_json::Value;
 
-use crate::certificate::accepted;
+use crate::certificate::judged;
 use crate::separation::{Cone, Finding, Negative, Response, decide, negative, nonnegative};
 
 /// A gain with what was found there, and its certificate.
@@ -76,7 +76,7 @@ pub fn bracket(
 
 fn kept(response: &Response) -> Option<(Cone, Value)> {
     let Finding::NonNegative(cone) = decide(response) else { return None };
-    let page = nonnegative(response, &cone).filter(accepted)?;
+    let page = nonnegative(response, &cone).filter(|page| judged(page).is_ok())?;
     Some((cone, page))
 }
 
@@ -84,6 +84,6 @@ fn lost(mut response: Response) -> Option<(Negative, Value)> {
     response.readouts.truncate(1);
     response.starts.truncate(1);
     let Finding::Negative(sample) = decide(&response) else { return None };
-    let page = negative(&response, &sample).filter(accepted)?;
+    let page = negative(&response, &sample).filter(|page| judged(page).is_ok())?;
     Some((sample, page))
 }

@@ -13,9 +13,9 @@ use cordon_core::scalar::{Modulus, Residue};
 /// in lowest terms.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Answer {
-    /// Protocol steps.
+    /// The protocol steps made since the start.
     pub k: u64,
-    /// One a drone.
+    /// Numerators over the common denominator, one a drone.
     pub numerators: Vec<BigInt>,
     /// Common denominator of the start and the resting places.
     pub base: BigInt,
@@ -80,7 +80,7 @@ impl Terms {
         Self { denominator: &power * &base, power, base, den, k: *k, factors }
     }
 
-    /// The common denominator.
+    /// The positive denominator that all numerators have in common; not in lowest terms.
     pub fn denominator(&self) -> &BigInt {
         &self.denominator
     }

@@ -36,9 +36,9 @@ pub struct Certain {
 /// What is known of all positions after k steps.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Digits {
-    /// Protocol steps.
+    /// The protocol steps made since the start.
     pub k: u64,
-    /// One a drone.
+    /// The positions' certain digits, one decimal a drone.
     pub positions: Vec<Certain>,
 }
 
@@ -72,7 +72,7 @@ const GUARD_BITS: u64 = 32;
 const ATTEMPTS: u32 = 4;
 
 /// Most drones: the convolution with the start takes their number squared.
-const MAX_DRONES: usize = 20_000;
+pub const MAX_DRONES: usize = 20_000;
 
 /// The positions after each of `steps` to `digits` decimal places, rounded half to even. A
 /// position too close to the middle between two decimals to be rounded has a place more; where

@@ -3,6 +3,7 @@
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 
+use super::digits;
 use super::limbs::LIMB_BITS;
 use super::line::Line;
 use cordon_core::{Error, Result};
@@ -74,10 +75,15 @@ impl Line {
         }
         Err(Error::input(format!(
             "{field}: `{k}`: the exact positions of {} drones after so many steps take about {}: \
-             expected at most {} (digits that are certain, `--engine digits`, have no such limit)",
+             expected at most {}{}",
             self.count(),
             readable(bytes),
-            readable(MAX_ANSWER_BYTES)
+            readable(MAX_ANSWER_BYTES),
+            if self.count() > digits::MAX_DRONES {
+                ""
+            } else {
+                " (digits that are certain, `--engine digits`, have no such limit)"
+            }
         )))
     }
 }

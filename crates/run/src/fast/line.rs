@@ -69,7 +69,7 @@ impl Line {
         let gaps = Rational::from_index(count - 1);
         let rest: Vec<Rational> =
             (0..count).map(|i| scaled_target(&p.min, &p.max, count, i) / &gaps).collect();
-        let Weights { side, centre, den } = Weights::of(&p.eps)?;
+        let LineWeights { side, centre, den } = LineWeights::of(&p.eps)?;
         Ok(Self::assemble(Ends::Fixed, side, centre, den, &rest, start))
     }
 
@@ -143,8 +143,8 @@ impl Line {
 
 /// The weights of the coverage protocol's internal drones over a common denominator.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Weights {
-    /// Of each neighbour.
+pub struct LineWeights {
+    /// Numerator of the weight of each neighbour.
     pub side: BigInt,
     /// Of the drone itself.
     pub centre: BigInt,
@@ -152,7 +152,7 @@ pub struct Weights {
     pub den: BigInt,
 }
 
-impl Weights {
+impl LineWeights {
     /// Reads the weights off the spec, and that the end drones stay at the ends, both
     /// neighbours count alike and all weights sum to 1.
     ///
@@ -181,7 +181,7 @@ fn too_few(count: usize) -> Error {
 }
 
 fn not_a_line() -> Error {
-    Error::input("protocol: the fast engines expected one symmetric rule along the line")
+    Error::internal("the spec's step is no symmetric rule along the line")
 }
 
 #[cfg(test)]

@@ -34,7 +34,7 @@ fn image(ends: Ends) -> usize {
 /// The sizes that a convolution's cost depends on.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Size {
-    /// Drones.
+    /// Drones of the line that the ring unfolds.
     pub count: usize,
     /// Places of the ring at which the kernel may not be 0.
     pub support: usize,

@@ -12,7 +12,7 @@ use cordon_core::{Error, Rational, Result};
 /// A protocol on a line of drones.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Rule<S> {
-    /// Equation 10.
+    /// Coverage of a segment (equation 10).
     Coverage {
         /// Left end of the segment.
         min: S,

@@ -138,7 +138,7 @@ impl Run {
         }
     }
 
-    /// The positions now.
+    /// The exact positions after the steps made so far.
     pub fn answer(&self) -> Answer {
         let mut scratch = vec![0; self.width];
         let numerators = self.now.chunks_exact(self.stride).map(|row| {

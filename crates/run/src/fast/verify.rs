@@ -10,7 +10,7 @@ use super::answer::Answer;
 use super::rule::Rule;
 use cordon_core::random::SplitMix;
 use cordon_core::scalar::{Modulus, Residue};
-use cordon_core::{Error, Rational, Result};
+use cordon_core::{Error, Rational, Result, progress};
 
 /// Primes that a check draws unless told otherwise.
 pub const PRIMES: usize = 3;
@@ -29,11 +29,11 @@ const LOG2_SEED_LIMIT: f64 = -60.0;
 /// A place where an answer and the spec disagree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Disagreement {
-    /// Modulo which prime.
+    /// The prime modulo which the answer differs from the spec.
     pub prime: u64,
     /// After how many protocol steps.
     pub k: u64,
-    /// Of which drone.
+    /// The first drone whose residue differs, from 0.
     pub drone: usize,
 }
 
@@ -48,7 +48,7 @@ pub struct Verification {
     pub compared: u64,
     /// A bound, as a power of two, of the chance that a wrong answer passes.
     pub log2_chance: f64,
-    /// The first disagreement.
+    /// The first place where answer and spec differ; none where the check passed.
     pub disagreement: Option<Disagreement>,
 }
 
@@ -87,6 +87,7 @@ pub fn verify(
         log2_chance: chance(rule, start, answers, primes)?,
         disagreement: None,
     };
+    progress::expect(last.saturating_mul(primes as u64));
     let mut random = SplitMix::new(seed);
     while found.primes.len() < primes {
         let p = random_prime(&mut random);
@@ -100,6 +101,7 @@ pub fn verify(
             while k < answer.k {
                 x = rule.step(x);
                 k += 1;
+                progress::advance(1);
             }
             found.compared += x.len() as u64;
             let differs = |(a, b): (&Residue, &Residue)| a != b;

@@ -85,9 +85,11 @@ fn inside(
     found.push((name.to_owned(), span));
     match value {
         DeValue::Table(table) => within(&format!("{name}."), table, found),
-        // Tables in lists have fields of their own; numbers in lists go by the list's name.
+        // Tables in lists have fields of their own, and a number; numbers in lists go by the
+        // list's name.
         DeValue::Array(list) => {
-            for value in list.iter().filter(|v| v.get_ref().is_table()) {
+            for (place, value) in list.iter().enumerate().filter(|(_, v)| v.get_ref().is_table()) {
+                found.push((format!("{name} {}", place + 1), value.span()));
                 inside(name, value.span(), value.get_ref(), found);
             }
         }
@@ -106,17 +108,25 @@ fn plain(message: &str) -> String {
     let given = given
         .strip_prefix("invalid type: ")
         .or_else(|| given.strip_prefix("invalid value: "))
-        .map_or_else(|| given.to_owned(), |g| format!("`{}`", shown(g)));
+        .map_or_else(|| given.to_owned(), shown);
     match expected {
         Some(expected) => format!("{given}: expected {}", kind(expected)),
         None => given,
     }
 }
 
-/// The given value alone, without the kind before it; long ones cut.
+/// The given value alone, without the kind before it, long ones cut; lists and tables, which the
+/// library does not repeat, by their kind.
 fn shown(given: &str) -> String {
-    let value = given.split_once(' ').map_or(given, |(_, value)| value);
-    cordon_core::text::cut(value.trim_matches(['`', '"']), 40)
+    let kinds = ["string ", "integer ", "floating point ", "boolean ", "character "];
+    match (given, kinds.iter().find_map(|kind| given.strip_prefix(kind))) {
+        ("map", _) => "a table".to_owned(),
+        ("sequence", _) => "a list".to_owned(),
+        (_, value) => {
+            let value = value.unwrap_or(given).trim_matches(['`', '"']);
+            format!("`{}`", cordon_core::text::cut(value, 40))
+        }
+    }
 }
 
 fn kind(expected: &str) -> &str {

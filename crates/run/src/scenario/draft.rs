@@ -9,7 +9,7 @@ use cordon_core::{Error, Result};
 /// Where the drones start, as a user says it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Start {
-    /// Every drone's position.
+    /// The position of every drone, from drone 0 on.
     Listed(Vec<Rational>),
     /// Drone i at `min + i*(to - min)/(N-1)`, the last drone at max.
     SpreadTo(Rational),
@@ -19,7 +19,7 @@ pub enum Start {
 /// ([`Draft::replaced_by`]): flags win over the file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Draft {
-    /// Title.
+    /// What the scenario is about, for people.
     pub title: Option<String>,
     /// `coverage` (default), `consensus` or `formation`.
     pub protocol: Option<String>,
@@ -29,9 +29,9 @@ pub struct Draft {
     pub max: Option<Rational>,
     /// Number of drones; the length of the start by default.
     pub drones: Option<usize>,
-    /// Start.
+    /// Where the drones are at step 0.
     pub start: Option<Start>,
-    /// Weight eps.
+    /// Weight eps of the neighbours, dimensionless.
     pub weight: Option<Rational>,
     /// Ticks from update to update; 1 by default.
     pub period: Option<u32>,
@@ -41,9 +41,9 @@ pub struct Draft {
     pub tau: Option<Rational>,
     /// Protocol steps a trace shows; 20 by default.
     pub steps: Option<u64>,
-    /// Graph by name.
+    /// Who hears whom, by the name of the graph.
     pub graph: Option<String>,
-    /// Graph by edges.
+    /// Who hears whom, by pairs of drones.
     pub edges: Option<Vec<(usize, usize)>>,
     /// Wanted displacements (formation).
     pub displacement: Option<Vec<Rational>>,

@@ -26,7 +26,7 @@ struct Document {
     drones: Option<usize>,
     start: Option<Vec<Spanned<Value>>>,
     spread_to: Option<Spanned<Value>>,
-    #[serde(alias = "eps")]
+    eps: Option<Spanned<Value>>,
     weight: Option<Spanned<Value>>,
     period: Option<u32>,
     phase: Option<Spanned<String>>,
@@ -65,14 +65,15 @@ pub fn parse(name: &str, text: &str) -> Result<Draft> {
         list.map(|l| l.iter().map(|v| source.number(field, v)).collect::<Result<Vec<_>>>())
             .transpose()
     };
-    let spread_to = number("spread_to", doc.spread_to)?;
-    let start = match (numbers("start", doc.start)?, spread_to) {
-        (Some(_), Some(_)) => {
-            return Err(Error::input(format!("{name}: start and spread_to: expected one of them")));
-        }
-        (Some(list), None) => Some(Start::Listed(list)),
-        (None, to) => to.map(Start::SpreadTo),
-    };
+    if let (Some(_), Some(to)) = (&doc.start, &doc.spread_to) {
+        return Err(source.error(&to.span(), "start and spread_to: expected one of them"));
+    }
+    let spread_to = number("spread_to", doc.spread_to)?.map(Start::SpreadTo);
+    let start = numbers("start", doc.start)?.map(Start::Listed).or(spread_to);
+    // Two names of one field.
+    if let (Some(_), Some(weight)) = (&doc.eps, &doc.weight) {
+        return Err(source.error(&weight.span(), "eps and weight: expected one of them"));
+    }
     let (graph, edges) = match doc.graph {
         None => (None, None),
         Some(value) => source.graph(&value)?,
@@ -84,7 +85,7 @@ pub fn parse(name: &str, text: &str) -> Result<Draft> {
         max: number("max", doc.max)?,
         drones: doc.drones,
         start,
-        weight: number("weight", doc.weight)?,
+        weight: number("weight", doc.weight)?.or(number("eps", doc.eps)?),
         period: doc.period,
         phase: doc.phase.map(|p| source.phase(&p)).transpose()?,
         tau: number("tau", doc.tau)?,

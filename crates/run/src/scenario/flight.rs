@@ -31,7 +31,7 @@ pub struct Flight {
     pub order: Option<String>,
     /// Seed of everything random.
     pub seed: Option<u64>,
-    /// What goes wrong.
+    /// Lost and late messages, and drones that drop out.
     pub faults: Vec<Fault>,
     /// FMUs in the place of units.
     pub units: Vec<Substitute>,
@@ -40,11 +40,11 @@ pub struct Flight {
 /// An FMU in the place of a unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Substitute {
-    /// Whose unit.
+    /// The drone whose unit it replaces, from 0.
     pub drone: usize,
     /// Which of its units.
     pub unit: UnitName,
-    /// The FMU.
+    /// Path of the FMU, as seen from where the program runs.
     pub fmu: PathBuf,
     /// The FMU's names of variables that it calls otherwise than the unit does.
     pub names: BTreeMap<String, String>,
@@ -68,9 +68,9 @@ pub enum Parameter {
 pub enum UnitName {
     /// Its share of the protocol.
     Coordination,
-    /// The controller.
+    /// The cascaded controller: position and attitude to rotors.
     Control,
-    /// The quadcopter.
+    /// The quadcopter, linear around hover.
     Plant,
 }
 
@@ -100,7 +100,7 @@ impl UnitName {
 /// Something that goes wrong during a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// What goes wrong.
+    /// What happens, and to whom.
     pub kind: FaultKind,
     /// From when on, in seconds; from the start by default.
     pub from: Option<Rational>,
@@ -108,7 +108,7 @@ pub struct Fault {
     pub until: Option<Rational>,
 }
 
-/// What goes wrong.
+/// What can happen to messages and drones.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FaultKind {
     /// Messages get lost, each with a probability.
@@ -127,7 +127,7 @@ pub enum FaultKind {
     },
     /// A drone neither sends nor hears nor updates.
     DropOut {
-        /// Which drone.
+        /// The drone that neither updates nor sends, from 0.
         drone: usize,
     },
 }

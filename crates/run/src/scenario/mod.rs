@@ -34,17 +34,17 @@ pub const MAX_DRONES: usize = 1_000_000;
 pub enum Protocol {
     /// Equation 10 on the segment \[min, max\].
     Coverage {
-        /// Left end.
+        /// Left end of the segment, where drone 0 stays.
         min: Rational,
-        /// Right end.
+        /// Right end of the segment, where drone N-1 stays.
         max: Rational,
     },
-    /// Equation 6.
+    /// Consensus on a graph (equation 6).
     Consensus {
         /// Who hears whom.
         graph: Topology,
     },
-    /// Equation 8.
+    /// Formation on a graph (equation 8).
     Formation {
         /// Who hears whom.
         graph: Topology,

@@ -41,7 +41,10 @@ impl Places {
             return error;
         }
         let field = message.split([':', ' ']).next().unwrap_or_default();
-        match self.fields.get(field).or_else(|| self.fields.get(&format!("flight.{field}"))) {
+        // One of several tables comes with its number: `fault 2`.
+        let numbered = message.split(':').next().unwrap_or_default();
+        let place = self.fields.get(numbered).or_else(|| self.fields.get(field));
+        match place.or_else(|| self.fields.get(&format!("flight.{field}"))) {
             Some((line, column)) => Error::input(format!("{file}:{line}:{column}: {message}")),
             None if self.replaced.contains(field) => error,
             None => Error::input(format!("{file}: {message}")),

@@ -9,12 +9,12 @@ use num_bigint::BigInt;
 use crate::fast::{Line, Rule, step};
 use crate::scenario::Scenario;
 use cordon_core::exact::Rational;
-use cordon_core::{Error, Outcome, Result, violation};
+use cordon_core::{Error, Outcome, Result, progress, violation};
 
 /// What a check found of one theorem along one run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Checked {
-    /// The theorem.
+    /// The theorem that was checked.
     pub theorem: Theorem,
     /// The form whose hypothesis and conclusion were used.
     pub form: Form,
@@ -72,7 +72,9 @@ pub fn check(
     let longest = theorems.iter().map(|&t| span(t)).max().unwrap_or(0);
     let line = Rule::of(scenario)?.line(&scenario.start)?;
     let mut window = Window::new(line, last.saturating_add(longest as u64));
+    progress::expect(last.saturating_add(1));
     for step in 0..=last {
+        progress::advance(1);
         window.extend_to(step, longest);
         let (integers, run) = window.scaled(&setting);
         for c in &mut checks {

@@ -63,7 +63,7 @@ mod tests {
         ] {
             let s = scenario(start, rest);
             for (from, every) in [(0, 1), (7, 5)] {
-                for unit in [super::super::Unit::Steps, super::super::Unit::Ticks] {
+                for unit in [super::super::Counted::Steps, super::super::Counted::Ticks] {
                     let selection = Selection { unit, from, to: 60, every };
                     let mut widths = vec![0; s.count()];
                     for row in select(&s, selection).unwrap() {
@@ -81,7 +81,7 @@ mod tests {
 
     #[test]
     fn a_position_between_two_lengths_is_left_open() {
-        let selection = Selection { unit: super::super::Unit::Steps, from: 0, to: 3, every: 1 };
+        let selection = Selection { unit: super::super::Counted::Steps, from: 0, to: 3, every: 1 };
         // Rounded to even, and from a double that is not the decimal.
         for start in ["0, 9.99995, 20", "0, -0.00005, 20"] {
             let s = scenario(start, "weight = 0");

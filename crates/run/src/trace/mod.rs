@@ -8,4 +8,4 @@ mod rows;
 pub use check::{Checked, applicable, check};
 pub use extremes::decimal_widths;
 pub use positions::Positions;
-pub use rows::{Row, Rows, Selection, Unit, select};
+pub use rows::{Counted, Row, Rows, Selection, select};

@@ -6,19 +6,19 @@ use super::positions::Positions;
 use crate::fast::{Line, Rule, engine, jump, step};
 use crate::scenario::{Protocol, Scenario, Topology};
 use crate::simulate;
-use cordon_core::{Error, Rational, Result};
+use cordon_core::{Error, Rational, Result, progress};
 
 /// What the rows count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unit {
+pub enum Counted {
     /// Protocol steps: one row an update.
     Steps,
     /// Ticks: one row a co-simulation step.
     Ticks,
 }
 
-impl Unit {
-    /// The unit's name, for column heads and messages.
+impl Counted {
+    /// The name of what is counted, for column heads and messages.
     pub fn name(self) -> &'static str {
         match self {
             Self::Steps => "step",
@@ -39,11 +39,11 @@ impl Unit {
 /// The rows `from`, `from + every`, ... up to `to`, in the given unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Selection {
-    /// What is counted.
-    pub unit: Unit,
-    /// First row.
+    /// Whether rows are counted in protocol steps or in ticks.
+    pub unit: Counted,
+    /// The first row, from 0.
     pub from: u64,
-    /// Last row.
+    /// The last row, at least the first.
     pub to: u64,
     /// Distance from row to row, at least 1.
     pub every: u64,
@@ -72,10 +72,10 @@ impl Selection {
     }
 }
 
-/// One shown state.
+/// The state of the swarm after a step or tick.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// Ticks so far.
+    /// Ticks made since the start.
     pub tick: u64,
     /// Protocol steps so far.
     pub step: u64,
@@ -104,7 +104,7 @@ pub fn select(scenario: &Scenario, selection: Selection) -> Result<Rows<'_>> {
     if from > to {
         return Err(Error::input(format!("from: `{from}`: expected at most the last row, {to}")));
     }
-    if unit == Unit::Steps && to > 0 && scenario.tick_of_step(to).is_none() {
+    if unit == Counted::Steps && to > 0 && scenario.tick_of_step(to).is_none() {
         return Err(Error::input(format!(
             "steps: `{to}`: expected a step whose tick, {} times as late, fits 64 bits",
             scenario.period
@@ -117,6 +117,7 @@ pub fn select(scenario: &Scenario, selection: Selection) -> Result<Rows<'_>> {
         )));
     }
     let source = Source::of(scenario, selection)?;
+    progress::expect(selection.len());
     Ok(Rows { scenario, selection, next: Some(from), source })
 }
 
@@ -136,7 +137,9 @@ impl Iterator for Rows<'_> {
         self.next = at.checked_add(self.selection.every);
         let (tick, step) = self.selection.unit.tick_and_step(self.scenario, at);
         let timesteps = self.scenario.timesteps_at(tick);
-        Some(Row { tick, step, timesteps, positions: self.source.after(self.scenario, step) })
+        let positions = self.source.after(self.scenario, step);
+        progress::advance(1);
+        Some(Row { tick, step, timesteps, positions })
     }
 }
 
@@ -186,7 +189,7 @@ impl Source {
     }
 }
 
-fn refuse_endless(scenario: &Scenario, unit: Unit, to: u64) -> Result<()> {
+fn refuse_endless(scenario: &Scenario, unit: Counted, to: u64) -> Result<()> {
     let steps = unit.tick_and_step(scenario, to).1 as f64;
     let drones = scenario.count() as f64;
     let bits = scenario.weight.denom().to_f64().unwrap_or(f64::MAX).log2().max(1.0);
@@ -229,8 +232,12 @@ mod tests {
             let ticks: Vec<_> = simulate::run(&s).take(40).collect();
             for (from, every) in [(0, 1), (3, 7)] {
                 let wanted = ticks.iter().skip(from).step_by(every);
-                let selection =
-                    Selection { unit: Unit::Ticks, from: from as u64, to: 39, every: every as u64 };
+                let selection = Selection {
+                    unit: Counted::Ticks,
+                    from: from as u64,
+                    to: 39,
+                    every: every as u64,
+                };
                 let rows: Vec<_> = select(&s, selection).unwrap().collect();
                 assert_eq!(rows.len() as u64, selection.len());
                 for (row, t) in rows.iter().zip(wanted) {
@@ -240,7 +247,7 @@ mod tests {
                     compared += 1;
                 }
             }
-            let selection = Selection { unit: Unit::Steps, from: 0, to: 9, every: 2 };
+            let selection = Selection { unit: Counted::Steps, from: 0, to: 9, every: 2 };
             for row in select(&s, selection).unwrap() {
                 let of_step = ticks.iter().find(|t| t.step == row.step).unwrap();
                 assert_eq!((row.tick, row.timesteps), (of_step.tick, of_step.state.timesteps));
@@ -254,15 +261,15 @@ mod tests {
     #[test]
     fn ticks_are_counted_without_walking_them() {
         let s = scenario("period = 4_000_000_000\nphase = \"last\"");
-        let selection = Selection { unit: Unit::Steps, from: 1, to: 9, every: 4 };
+        let selection = Selection { unit: Counted::Steps, from: 1, to: 9, every: 4 };
         let ticks: Vec<_> = select(&s, selection).unwrap().map(|r| r.tick).collect();
         assert_eq!(ticks, [4_000_000_000, 20_000_000_000, 36_000_000_000]);
         let selection =
-            Selection { unit: Unit::Ticks, from: 0, to: 9_000_000_001, every: 9_000_000_000 };
+            Selection { unit: Counted::Ticks, from: 0, to: 9_000_000_001, every: 9_000_000_000 };
         let rows: Vec<_> = select(&s, selection).unwrap().collect();
         assert_eq!((rows[1].step, rows[1].timesteps), (2, 1_000_000_000));
         assert_eq!((rows[0].step, rows[0].timesteps), (0, 0));
-        let beyond = Selection { unit: Unit::Steps, from: u64::MAX, to: u64::MAX, every: 1 };
+        let beyond = Selection { unit: Counted::Steps, from: u64::MAX, to: u64::MAX, every: 1 };
         let said = select(&s, beyond).err().unwrap().to_string();
         assert!(said.contains("expected a step whose tick"), "{said}");
     }
@@ -271,7 +278,7 @@ mod tests {
     fn far_rows_are_jumped_to_and_near_ones_stepped_to() {
         let s = scenario("");
         let source = |from, to, every| {
-            Source::of(&s, Selection { unit: Unit::Steps, from, to, every }).unwrap()
+            Source::of(&s, Selection { unit: Counted::Steps, from, to, every }).unwrap()
         };
         assert!(matches!(source(200_000, 200_000, 1), Source::Jump(_)));
         assert!(matches!(source(0, 200_000, 200_000), Source::Jump(_)));

@@ -8,10 +8,12 @@ use serde_json::{Value, json};
 
 use cordon_core::exact;
 use cordon_core::{Evidence, Result};
+use cordon_run::fast::verify::Verification;
 use cordon_run::scenario::{Protocol, Scenario};
 use cordon_run::trace::{Checked, Row};
 
 use super::page::Page;
+use crate::cli::trace::Checks;
 
 /// Writes one object: the scenario, the rows (fractions and decimals), the checks.
 ///
@@ -20,15 +22,18 @@ use super::page::Page;
 pub fn json(
     of: &Scenario,
     rows: &mut dyn Iterator<Item = Row>,
-    checks: &[Checked],
+    checks: Checks<'_>,
     digits: usize,
     out: &mut dyn Write,
 ) -> Result<()> {
     let mut page = Page::begin(out)?;
-    page.field("checks", &checks.iter().map(checked).collect())?;
+    page.field("checks", &checks.along.iter().map(checked).collect())?;
     page.list("rows", rows.map(|r| row(of, &r, digits)))?;
     page.field("scenario", &scenario(of))?;
     page.field("schema", &json!("cordon-trace/1"))?;
+    if let Some(verification) = checks.verified {
+        page.field("verified", &verified(verification))?;
+    }
     page.end()
 }
 
@@ -57,6 +62,18 @@ fn row(scenario: &Scenario, r: &Row, digits: usize) -> Value {
         "time": scenario.time(r.tick).map(|t| t.to_string()),
         "positions": r.positions.lowest().iter().map(exact::fraction).collect::<Vec<_>>(),
         "decimals": r.positions.decimals(digits),
+    })
+}
+
+/// The check of the positions against the plain spec modulo random primes.
+fn verified(v: &Verification) -> Value {
+    json!({
+        "agrees": v.disagreement.is_none(),
+        "compared": v.compared,
+        "log2_chance_of_missing": v.log2_chance,
+        // Beyond the whole numbers that every reader of JSON holds.
+        "primes": v.primes.iter().map(u64::to_string).collect::<Vec<_>>(),
+        "seed": v.seed.to_string(),
     })
 }
 

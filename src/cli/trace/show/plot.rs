@@ -5,7 +5,7 @@ use std::io::Write;
 use textplots::{Chart, Plot, Shape};
 
 use cordon_core::Result;
-use cordon_run::trace::{Row, Unit};
+use cordon_run::trace::{Counted, Row};
 
 /// Size of the plot in braille dots: two a column, four a line.
 const WIDTH: u32 = 140;
@@ -16,10 +16,10 @@ const HEIGHT: u32 = 60;
 ///
 /// # Errors
 /// `out` cannot be written.
-pub fn plot(unit: Unit, rows: &[Row], out: &mut dyn Write) -> Result<()> {
+pub fn plot(unit: Counted, rows: &[Row], out: &mut dyn Write) -> Result<()> {
     let at = |row: &Row| match unit {
-        Unit::Steps => row.step as f32,
-        Unit::Ticks => row.tick as f32,
+        Counted::Steps => row.step as f32,
+        Counted::Ticks => row.tick as f32,
     };
     let [first, .., last] = rows else {
         return Ok(());

@@ -6,14 +6,14 @@ mod text;
 pub use json::json;
 pub use text::text;
 
-use super::Verdict;
+use super::TierVerdict;
 
 /// A verdict with its reason, in one line.
-fn described(verdict: &Verdict) -> String {
+fn described(verdict: &TierVerdict) -> String {
     match verdict {
-        Verdict::Holds => "holds".to_owned(),
-        Verdict::Refuted(why) => format!("refuted: {why}"),
-        Verdict::Rejected(why) => format!("rejected: {why}"),
-        Verdict::Inconclusive(why) => format!("inconclusive: {why}"),
+        TierVerdict::Holds => "holds".to_owned(),
+        TierVerdict::Refuted(why) => format!("refuted: {why}"),
+        TierVerdict::Rejected(why) => format!("rejected: {why}"),
+        TierVerdict::Inconclusive(why) => format!("inconclusive: {why}"),
     }
 }

@@ -2,32 +2,23 @@
 
 use std::io::Write;
 
-use comfy_table::{CellAlignment, Table, presets};
-
 use super::described;
 use crate::verify::matrix::{Cell, Column, Matrix};
-use cordon_core::Result;
+use cordon_core::{Result, table};
 
 /// Writes the matrix.
 ///
 /// # Errors
 /// The output cannot be written.
 pub fn text(matrix: &Matrix, out: &mut dyn Write) -> Result<()> {
-    let mut table = Table::new();
-    table.load_preset(presets::NOTHING);
-    let mut heading = vec!["theorem".to_owned()];
-    heading.extend(matrix.columns.iter().map(|c| c.name.to_owned()));
-    table.set_header(heading);
+    let names = matrix.columns.iter().map(|c| c.name.to_owned());
+    let mut rows: Vec<Vec<_>> = vec![std::iter::once("theorem".to_owned()).chain(names).collect()];
     for (i, theorem) in matrix.theorems.iter().enumerate() {
-        let mut row = vec![theorem.number().to_owned()];
-        row.extend(matrix.columns.iter().map(|c| c.cells.get(i).map_or_else(String::new, short)));
-        table.add_row(row);
+        let cells = matrix.columns.iter().map(|c| c.cells.get(i).map_or_else(String::new, short));
+        rows.push(std::iter::once(theorem.number().to_owned()).chain(cells).collect());
     }
-    if let Some(column) = table.column_mut(0) {
-        column.set_cell_alignment(CellAlignment::Left);
-    }
-    for line in table.lines() {
-        writeln!(out, "{}", line.trim_end())?;
+    for line in table::lines(&rows, |_| true) {
+        writeln!(out, "{line}")?;
     }
     writeln!(out)?;
     matrix.columns.iter().try_for_each(|c| behind(c, matrix, out))?;

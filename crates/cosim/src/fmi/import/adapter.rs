@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::fmi::archive::{Fmu, FmuVariable};
+use crate::fmi::archive::Fmu;
+use crate::fmi::model_description::FmuVariable;
 use crate::fmi::units::{Conversion, Si};
 use crate::unit::{Causality, Kind, Unit, Value, Variable};
 use cordon_core::{Error, Rational, Result, exact};
@@ -15,11 +16,11 @@ use num_traits::ToPrimitive;
 pub(super) struct Counterpart {
     /// Place in the unit's table.
     pub place: usize,
-    /// Who sets it.
+    /// Input, output or parameter of our unit.
     pub causality: Causality,
-    /// Its type.
+    /// The type of its values in our unit.
     pub kind: Kind,
-    /// The FMU's variable.
+    /// The variable of the FMU that stands for it.
     pub theirs: FmuVariable,
     /// From its unit to the unit's, where they differ.
     pub conversion: Option<Conversion>,

@@ -2,15 +2,16 @@
 
 use cordon_fmi::fmu::{self, Datum, Type, Version};
 use cordon_fmi::instance::Instance;
-use cordon_fmi::message::{Answer, Beginning};
+use cordon_fmi::message::{Beginning, Reply};
 #[cfg(unix)]
 use cordon_fmi::remote::Remote;
 use tempfile::TempDir;
 
 use super::Isolation;
 use super::adapter::{Counterpart, Map};
-use crate::fmi::archive::{Fmu, FmuVariable};
+use crate::fmi::archive::Fmu;
 use crate::fmi::interface::FmiVersion;
+use crate::fmi::model_description::FmuVariable;
 use crate::grid::Grid;
 use crate::quotient::Quotient;
 use crate::unit::{
@@ -62,7 +63,7 @@ impl Session {
         }
     }
 
-    fn initialise(&mut self, beginning: Beginning) -> Answer {
+    fn initialise(&mut self, beginning: Beginning) -> Reply {
         match self {
             Self::Here(instance) => instance.initialise(beginning),
             #[cfg(unix)]
@@ -70,7 +71,7 @@ impl Session {
         }
     }
 
-    fn step(&mut self, from: f64, size: f64, inputs: Vec<Datum>) -> Answer {
+    fn step(&mut self, from: f64, size: f64, inputs: Vec<Datum>) -> Reply {
         match self {
             Self::Here(instance) => instance.step(from, size, &inputs),
             #[cfg(unix)]
@@ -93,11 +94,11 @@ impl Foreign {
         let instance = fmu::Fmu {
             binary: root.join(fmu.binary()?),
             folder: root,
-            version: match fmu.version {
+            version: match fmu.version() {
                 FmiVersion::V2 => Version::V2,
                 FmiVersion::V3 => Version::V3,
             },
-            token: fmu.token.clone(),
+            token: fmu.token().to_owned(),
             name: name.clone(),
         };
         let session = Session::load(isolation, instance).map_err(failed)?;
@@ -136,7 +137,7 @@ impl Foreign {
     }
 
     /// Takes an answer: the notes, and the outputs' values.
-    fn take(&mut self, answer: Answer, when: &str) -> Result<(), UnitError> {
+    fn take(&mut self, answer: Reply, when: &str) -> Result<(), UnitError> {
         self.note(answer.notes);
         let read = answer.result.map_err(|what| self.failed(&format!("{when}{what}")))?;
         let outputs = self.counterparts.iter().filter(|c| c.causality == Causality::Output);

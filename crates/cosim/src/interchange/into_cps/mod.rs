@@ -8,7 +8,7 @@ mod ports;
 mod read;
 mod write;
 
-pub use read::{is_multi_model, read};
+pub use read::{holds_multi_model, is_multi_model, read};
 pub use write::{FILE_NAME, fmu_file, multi_model};
 
 use std::collections::BTreeMap;

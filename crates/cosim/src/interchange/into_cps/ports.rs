@@ -20,7 +20,7 @@ pub(super) struct Instance {
 /// A variable of an instance.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Port {
-    /// The instance.
+    /// The instance, with the FMU that it is one of.
     pub instance: Instance,
     /// Name of the variable.
     pub variable: String,

@@ -9,6 +9,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use cordon_spec::Phase;
+use serde::Deserialize;
+use serde::de::IgnoredAny;
 use serde_json::Value as Json;
 
 use super::MultiModel;
@@ -22,12 +24,29 @@ use crate::quotient::Quotient;
 use crate::seat::Seat;
 use crate::unit::Value;
 use cordon_core::exact::{self, Rational};
+use cordon_core::files::{self, Limit};
 use cordon_core::{Error, Result};
 use cordon_run::scenario::{Draft, Flight, Parameter, Start, Substitute, UnitName};
 
 /// Whether a file's name says that it is a multi-model.
 pub fn is_multi_model(path: &Path) -> bool {
     path.extension().is_some_and(|e| e == "json")
+}
+
+/// Whether a JSON file is a multi-model, or the configuration of a co-simulation that names one, by
+/// its fields: runs are JSON too.
+///
+/// # Errors
+/// The file cannot be read.
+pub fn holds_multi_model(path: &Path) -> Result<bool> {
+    #[derive(Deserialize)]
+    struct Fields {
+        fmus: Option<IgnoredAny>,
+        multimodel_path: Option<IgnoredAny>,
+    }
+    let text = files::read_text(path, Limit::RUN)?;
+    let fields = serde_json::from_str::<Fields>(&text);
+    Ok(fields.is_ok_and(|f| f.fmus.is_some() || f.multimodel_path.is_some()))
 }
 
 /// Reads a multi-model, or the configuration of a co-simulation that names one, as a scenario.
@@ -85,7 +104,8 @@ impl Reader<'_> {
             Some(other) => Ok(other.to_string()),
             None => {
                 let start = model.variables().into_iter().find(|v| v.name == variable);
-                let missing = || Error::input(format!("{instance}: has no variable `{variable}`"));
+                let missing =
+                    || Error::internal(format!("{instance}: has no variable `{variable}`"));
                 Ok(match start.ok_or_else(missing)?.start {
                     Value::Real(x) => fraction(Some(x)),
                     other => other.to_string(),
@@ -218,7 +238,7 @@ impl Reader<'_> {
             });
         }
         let Some(([min, max, weight, tau], period, phase, skip, positions)) = common else {
-            return Err(Error::input("expected drones"));
+            return Err(Error::internal("a swarm was read that has no drones"));
         };
         let mut flight = Flight {
             start: Some(actual),

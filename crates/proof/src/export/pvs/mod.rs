@@ -18,9 +18,9 @@ pub use scenario::Instance;
 /// A file of the export.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct File {
-    /// Its name.
+    /// The name of the file, `coverage.pvs` and so on.
     pub name: &'static str,
-    /// Its text.
+    /// The theory that it holds.
     pub text: String,
 }
 

@@ -1,0 +1,63 @@
+//! Affine maps with rational coefficients, sparse.
+
+use num_traits::Zero;
+
+use crate::Rational;
+use crate::linear::affine::Affine;
+
+/// `x -> A x + b`: of every row the constant and the coefficients that are not 0, by column.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Map {
+    /// Constant and coefficients of each row, columns ascending.
+    pub rows: Vec<(Rational, Vec<(usize, Rational)>)>,
+}
+
+impl Map {
+    /// The image of a point; columns beyond it count as 0.
+    pub fn apply(&self, x: &[Rational]) -> Vec<Rational> {
+        let entry = |(constant, row): &(Rational, Vec<(usize, Rational)>)| {
+            let terms = row.iter().filter_map(|(j, a)| Some(a * x.get(*j)?));
+            terms.fold(constant.clone(), |sum, term| sum + term)
+        };
+        self.rows.iter().map(entry).collect()
+    }
+
+    /// The form `f(A x + b)`, `f` being affine: what the form will be after the map. `None` where it
+    /// is not affine.
+    pub fn pulled_back(&self, f: &Affine) -> Option<Affine> {
+        let (constant, coefficients) = f.parts()?;
+        let mut constant = constant.clone();
+        let mut sums = vec![Rational::zero(); self.rows.len()];
+        for (c, (b, row)) in coefficients.iter().zip(&self.rows) {
+            if c.is_zero() {
+                continue;
+            }
+            constant += c * b;
+            for (j, a) in row {
+                *sums.get_mut(*j)? += c * a;
+            }
+        }
+        Some(Affine::new(constant, sums))
+    }
+
+    /// This map after another.
+    pub fn after(&self, first: &Self) -> Self {
+        let width = first.rows.len();
+        let row = |(constant, row): &(Rational, Vec<(usize, Rational)>)| {
+            let mut constant = constant.clone();
+            let mut sums = vec![Rational::zero(); width];
+            for (j, a) in row {
+                let Some((b, inner)) = first.rows.get(*j) else { continue };
+                constant += a * b;
+                for (i, c) in inner {
+                    if let Some(sum) = sums.get_mut(*i) {
+                        *sum += a * c;
+                    }
+                }
+            }
+            let entries = sums.into_iter().enumerate().filter(|(_, a)| !a.is_zero());
+            (constant, entries.collect())
+        };
+        Self { rows: self.rows.iter().map(row).collect() }
+    }
+}

@@ -1,0 +1,129 @@
+//! Counterexamples: by step, the smallest first, then by the simplicity of the constants.
+
+use std::cmp::Ordering;
+
+use super::automaton::Automaton;
+use super::search::{Answer, Choice, Limits, Search};
+use cordon_core::Rational;
+use cordon_core::linear::affine::Affine;
+use cordon_core::linear::feasible::{Constraint, Sign};
+use cordon_core::linear::simplest::fractions_within;
+use cordon_core::system::{ParameterKind, System};
+
+/// A run from an assumed start in which a claim fails.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Run {
+    /// The values of the parameters; those that vary as they are in the first step.
+    pub values: Vec<Rational>,
+    /// What was chosen, step by step.
+    pub choices: Vec<Choice>,
+    /// The step at which the claim fails, the last of the run.
+    pub step: usize,
+    /// The claim, by its place among the claims.
+    pub claim: usize,
+    /// The states.
+    pub states: Vec<Vec<Rational>>,
+}
+
+/// Most combinations of constants that are searched.
+pub const MOST_COMBINATIONS: usize = 2_000;
+
+/// The values of the constants that are searched: of each range both ends, and the fractions between
+/// with denominators up to `denominators`; combined, the simplest first. Parameters that vary stand at
+/// their least. `None` where there are more than [`MOST_COMBINATIONS`].
+pub fn constants(system: &System, denominators: u32) -> Option<Vec<Vec<Rational>>> {
+    let mut all: Vec<Vec<Rational>> = vec![Vec::new()];
+    for p in &system.parameters {
+        let values = match (p.kind, p.fixed()) {
+            (_, Some(value)) => vec![value.clone()],
+            (ParameterKind::Constant, None) => {
+                let mut values = fractions_within(&p.low, &p.high, denominators);
+                for end in p.ends() {
+                    if !values.contains(&end) {
+                        values.push(end);
+                    }
+                }
+                values
+            }
+            (ParameterKind::Varying | ParameterKind::Choice, None) => vec![p.low.clone()],
+        };
+        if all.len().saturating_mul(values.len()) > MOST_COMBINATIONS {
+            return None;
+        }
+        all = values
+            .iter()
+            .flat_map(|v| all.iter().map(move |a| a.iter().cloned().chain([v.clone()]).collect()))
+            .collect();
+    }
+    Some(all)
+}
+
+/// The first counterexample up to step `steps`, among those with these values of the constants; `start`
+/// restricts it to one start. The second part says up to which step there is none at any of them, from any
+/// start: exactly `steps` where the search was complete.
+pub fn refute(
+    system: &System,
+    constants: &[Vec<Rational>],
+    start: Option<&[Rational]>,
+    steps: usize,
+) -> (Option<Run>, usize) {
+    let automaton = Automaton::of(system);
+    let starts = match start {
+        Some(x) => x.iter().enumerate().map(|(j, x)| equal(j, x)).collect(),
+        None => system.start_constraints(),
+    };
+    let mut best: Option<Run> = None;
+    let mut complete = steps;
+    for values in constants {
+        let deepest = match &best {
+            Some(run) => match run.step.checked_sub(1) {
+                Some(before) => before,
+                None => break,
+            },
+            None => steps,
+        };
+        let limits = Limits { steps: deepest, half_spaces: 4_000, programs: 20_000 };
+        let search = Search::new(system, &automaton, super::at(system, values), starts.clone());
+        match search.run(&limits) {
+            Answer::Refuted(start, choices) => {
+                if let Some(run) = follow(system, values, &start, choices) {
+                    if best.as_ref().is_none_or(|b| run.step.cmp(&b.step) == Ordering::Less) {
+                        best = Some(run);
+                    }
+                }
+            }
+            Answer::Proved(_) => {}
+            Answer::Open(depth) => {
+                complete = complete.min(depth.max(if depth >= deepest { steps } else { 0 }))
+            }
+        }
+    }
+    (best, complete)
+}
+
+fn equal(j: usize, x: &Rational) -> Constraint {
+    Constraint { form: Affine::variable(j) - &Affine::constant(x.clone()), sign: Sign::Zero }
+}
+
+/// The run from a state with these choices, up to the first step at which a claim fails. `None` where
+/// none does.
+pub fn follow(
+    system: &System,
+    values: &[Rational],
+    start: &[Rational],
+    choices: Vec<Choice>,
+) -> Option<Run> {
+    let mut states = vec![start.to_vec()];
+    for choice in &choices {
+        let map = system.modes.get(choice.mode)?.at(&choice.values);
+        states.push(map.apply(states.last()?));
+    }
+    let fails = |(step, x): (usize, &Vec<Rational>)| {
+        let about = |c: &cordon_core::system::Claim| c.is_about(step) && !c.predicate.holds(x);
+        system.claims.iter().position(about).map(|claim| (step, claim))
+    };
+    let (step, claim) = states.iter().enumerate().find_map(fails)?;
+    states.truncate(step + 1);
+    let choices = choices.into_iter().take(step).collect();
+    Some(Run { values: values.to_vec(), choices, step, claim, states })
+}

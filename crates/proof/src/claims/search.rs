@@ -1,0 +1,437 @@
+//! Whether the claims about a system hold: backwards from the claims.
+//!
+//! A claim holds in all runs if and only if all its pre-images hold of the start: what the claim's
+//! form becomes of the state one step before, two steps before, and so on, whichever mode acts and at
+//! every corner of the parameters' ranges (a form affine in each parameter is least at a corner). The
+//! search goes through the pre-images by depth. One that follows from what is known already, by
+//! multipliers from an exact linear program, need not be followed further. When none is left, what was
+//! collected is an invariant that implies the claims (Gilbert and Tan 1991, Linear systems with state and control
+//! constraints: complete for stable systems with bounded claims). When one fails of some start, that
+//! start's run is a counterexample, and no shorter one exists.
+//!
+//! What is assumed of the start may be kept as well. The largest set of assumptions and claims that
+//! every step keeps (Houdini) is known from the beginning.
+
+use std::collections::VecDeque;
+
+use num_traits::Zero;
+
+use super::automaton::Automaton;
+use cordon_core::Rational;
+use cordon_core::linear::affine::Affine;
+use cordon_core::linear::feasible::{Constraint, Premises, Sign, point};
+use cordon_core::system::{Parameter, ParameterKind, System, inequalities};
+
+/// Most bits of a number in an invariant: certificates take longer ones, but not in such numbers.
+const LONGEST: u64 = 2_000;
+
+/// How far to search.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Last step of a counterexample.
+    pub steps: usize,
+    /// Most half-spaces of an invariant.
+    pub half_spaces: usize,
+    /// Most linear programs.
+    pub programs: usize,
+}
+
+/// A half-space that holds whenever its moment comes.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// What holds.
+    pub is: Constraint,
+    /// When.
+    pub moment: usize,
+    /// The claim that it says, if it is one.
+    pub claim: Option<usize>,
+    /// Steps to the claim that it is a pre-image of.
+    depth: usize,
+    /// The step to the row that it is a pre-image of: the row, the edge and the corner.
+    leads_to: Option<(usize, usize, Vec<(usize, Rational)>)>,
+}
+
+/// That a row's image after a step follows from the rows before it.
+#[derive(Clone, Debug)]
+pub struct Kept {
+    /// The row.
+    pub row: usize,
+    /// The step.
+    pub edge: usize,
+    /// The parameters that play a part, with the end of the range of each.
+    pub corner: Vec<(usize, Rational)>,
+    /// Rows before, with their multipliers.
+    pub multipliers: Vec<(usize, Rational)>,
+}
+
+/// An invariant that implies the claims, with all multipliers.
+#[derive(Clone, Debug)]
+pub struct Proof {
+    /// The half-spaces, those of the claims among them.
+    pub rows: Vec<Row>,
+    /// Of each row at the start, the multipliers of the assumptions.
+    pub base: Vec<(usize, Vec<(usize, Rational)>)>,
+    /// The steps.
+    pub kept: Vec<Kept>,
+}
+
+/// A step of a run: the mode, and the values of the parameters that vary.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// The mode.
+    pub mode: usize,
+    /// Values of all parameters.
+    pub values: Vec<Rational>,
+}
+
+/// What the search found.
+#[derive(Clone, Debug)]
+pub enum Answer {
+    /// The claims hold in every run.
+    Proved(Proof),
+    /// A claim fails: the start, and how the run goes on.
+    Refuted(Vec<Rational>, Vec<Choice>),
+    /// No claim fails up to that step, from any start, whatever is chosen; the rest is open.
+    Open(usize),
+}
+
+/// The search under way.
+pub struct Search<'s> {
+    system: &'s System,
+    automaton: &'s Automaton,
+    /// The parameters, each with the range that it has here.
+    parameters: Vec<Parameter>,
+    starts: Vec<Constraint>,
+    rows: Vec<Row>,
+    kept: Vec<Kept>,
+    base: Vec<(usize, Vec<(usize, Rational)>)>,
+    programs: usize,
+}
+
+impl<'s> Search<'s> {
+    /// The search for a system whose parameters have these ranges; `starts` are what is assumed.
+    pub fn new(
+        system: &'s System,
+        automaton: &'s Automaton,
+        parameters: Vec<Parameter>,
+        starts: Vec<Constraint>,
+    ) -> Self {
+        Self {
+            system,
+            automaton,
+            parameters,
+            starts,
+            rows: Vec::new(),
+            kept: Vec::new(),
+            base: Vec::new(),
+            programs: 0,
+        }
+    }
+
+    /// Searches. Where a constant has a range, it is taken to vary: what is proved holds all the same;
+    /// what fails is reported as open.
+    pub fn run(mut self, limits: &Limits) -> Answer {
+        let constant = |p: &Parameter| p.kind == ParameterKind::Constant && p.fixed().is_none();
+        let may_refute = !self.parameters.iter().any(constant);
+        if self.kept_from_the_beginning(limits).is_none() {
+            return Answer::Open(0);
+        }
+        let mut queue: VecDeque<usize> = VecDeque::new();
+        for moment in 0..self.automaton.names.len() {
+            for &claim in &self.automaton.claims[moment] {
+                let Some(c) = self.system.claims.get(claim) else { continue };
+                for is in inequalities(&c.predicate.is) {
+                    if let Some(row) =
+                        self.rows.iter_mut().find(|r| r.moment == moment && r.is == is)
+                    {
+                        row.claim = row.claim.or(Some(claim));
+                        continue;
+                    }
+                    let row = Row { is, moment, claim: Some(claim), depth: 0, leads_to: None };
+                    queue.push_back(self.rows.len());
+                    self.rows.push(row);
+                }
+            }
+        }
+        // Claims about the first moments are refuted by the start alone.
+        for j in queue.clone() {
+            if self.rows[j].moment == 0 {
+                match self.holds_of_start(j) {
+                    Some(multipliers) => self.base.push((j, multipliers)),
+                    None => {
+                        return self.refuted(j).filter(|_| may_refute).unwrap_or(Answer::Open(0));
+                    }
+                }
+            }
+        }
+        while let Some(j) = queue.pop_front() {
+            let depth = self.rows[j].depth;
+            if depth >= limits.steps {
+                return Answer::Open(depth);
+            }
+            let edges: Vec<(usize, usize, usize)> = self
+                .automaton
+                .into(self.rows[j].moment)
+                .map(|(e, edge)| (e, edge.from, edge.mode))
+                .collect();
+            for (edge, from, mode) in edges {
+                for corner in self.corners(j, mode) {
+                    let Some(is) = self.pre_image(j, mode, &corner) else {
+                        return Answer::Open(depth);
+                    };
+                    if let Some(multipliers) = self.follows(&is, from, None) {
+                        self.kept.push(Kept { row: j, edge, corner, multipliers });
+                        continue;
+                    }
+                    let new = self.rows.len();
+                    if new >= limits.half_spaces || self.programs >= limits.programs {
+                        return Answer::Open(depth);
+                    }
+                    self.rows.push(Row {
+                        is,
+                        moment: from,
+                        claim: None,
+                        depth: depth + 1,
+                        leads_to: Some((j, edge, corner.clone())),
+                    });
+                    if from == 0 {
+                        match self.holds_of_start(new) {
+                            Some(multipliers) => self.base.push((new, multipliers)),
+                            None if may_refute => {
+                                return self.refuted(new).unwrap_or(Answer::Open(depth));
+                            }
+                            None => return Answer::Open(depth),
+                        }
+                    }
+                    let multipliers = vec![(new, Rational::from_integer(1.into()))];
+                    self.kept.push(Kept { row: j, edge, corner, multipliers });
+                    queue.push_back(new);
+                }
+            }
+        }
+        Answer::Proved(Proof { rows: self.rows, base: self.base, kept: self.kept })
+    }
+
+    /// The corners of the ranges of the parameters that play a part in a row's image.
+    fn corners(&self, row: usize, mode: usize) -> Vec<Vec<(usize, Rational)>> {
+        let coefficients = self.rows[row].is.form.parts().map_or(&[][..], |(_, c)| c);
+        let Some(mode) = self.system.modes.get(mode) else { return Vec::new() };
+        let mut corners = vec![Vec::new()];
+        // In the order in which certificates list corners: by name, the last one changing fastest.
+        let mut parameters = mode.parameters_in(coefficients);
+        parameters.sort_by_key(|&p| self.parameters.get(p).map(|p| p.name.as_str()));
+        for p in parameters {
+            let ends = self.parameters.get(p).map(Parameter::ends).unwrap_or_default();
+            corners = corners
+                .into_iter()
+                .flat_map(|corner: Vec<(usize, Rational)>| {
+                    ends.iter().map(move |end| {
+                        let mut corner = corner.clone();
+                        corner.push((p, end.clone()));
+                        corner
+                    })
+                })
+                .collect();
+        }
+        corners
+    }
+
+    /// The values of all parameters at a corner; those that play no part at their least.
+    fn values(&self, corner: &[(usize, Rational)]) -> Vec<Rational> {
+        let mut values: Vec<Rational> = self.parameters.iter().map(|p| p.low.clone()).collect();
+        for (p, value) in corner {
+            if let Some(slot) = values.get_mut(*p) {
+                *slot = value.clone();
+            }
+        }
+        values
+    }
+
+    fn pre_image(
+        &self,
+        row: usize,
+        mode: usize,
+        corner: &[(usize, Rational)],
+    ) -> Option<Constraint> {
+        let map = self.system.modes.get(mode)?.at(&self.values(corner));
+        let Constraint { form, sign } = &self.rows[row].is;
+        let form = map.pulled_back(form)?;
+        let (constant, coefficients) = form.parts()?;
+        let short = |x: &Rational| x.numer().bits().max(x.denom().bits()) <= LONGEST;
+        let all_short = short(constant) && coefficients.iter().all(short);
+        all_short.then_some(Constraint { form, sign: *sign })
+    }
+
+    /// Multipliers that show a half-space to follow from the rows of a moment, but for `without`.
+    fn follows(
+        &mut self,
+        goal: &Constraint,
+        moment: usize,
+        without: Option<&[bool]>,
+    ) -> Option<Vec<(usize, Rational)>> {
+        let known = |j: &usize| {
+            self.rows[*j].moment == moment && without.is_none_or(|gone| gone.get(*j) != Some(&true))
+        };
+        let places: Vec<usize> = (0..self.rows.len()).filter(known).collect();
+        // The row itself, or a weaker copy of it, is the commonest reason.
+        let same = |&&j: &&usize| {
+            let c = &self.rows[j].is;
+            c.form == goal.form && (c.sign == goal.sign || c.sign == Sign::Positive)
+        };
+        if let Some(&j) = places.iter().find(same) {
+            return Some(vec![(j, Rational::from_integer(1.into()))]);
+        }
+        // Then those that speak of nothing else than the goal does: a small program.
+        let speaks_of = |c: &Constraint, j: usize| {
+            c.form.parts().and_then(|(_, c)| c.get(j)).is_some_and(|c| !c.is_zero())
+        };
+        let near = |&j: &usize| {
+            let c = &self.rows[j].is;
+            (0..self.system.state.len()).all(|v| !speaks_of(c, v) || speaks_of(goal, v))
+        };
+        let close: Vec<usize> = places.iter().copied().filter(near).collect();
+        let all = places.len();
+        for places in [close, places] {
+            let given: Vec<Constraint> = places.iter().map(|&j| self.rows[j].is.clone()).collect();
+            self.programs += 1;
+            if let Some(multipliers) = Premises::new(&given)?.multipliers(goal) {
+                let found = places.into_iter().zip(multipliers);
+                return Some(found.filter(|(_, m)| !m.is_zero()).collect());
+            }
+            if given.len() == all {
+                break;
+            }
+        }
+        None
+    }
+
+    /// Multipliers of the assumptions that show a row to hold of every start.
+    fn holds_of_start(&mut self, row: usize) -> Option<Vec<(usize, Rational)>> {
+        self.programs += 1;
+        let multipliers = Premises::new(&self.starts)?.multipliers(&self.rows.get(row)?.is)?;
+        Some(multipliers.into_iter().enumerate().filter(|(_, m)| !m.is_zero()).collect())
+    }
+
+    /// The counterexample that a row is which fails of some start.
+    fn refuted(&self, row: usize) -> Option<Answer> {
+        let found = self.rows.get(row)?;
+        let start = violating(self.system.state.len(), &self.starts, &found.is)?;
+        let mut choices = Vec::new();
+        let mut at = &found.leads_to;
+        while let Some((row, edge, corner)) = at {
+            let mode = self.automaton.edges.get(*edge)?.mode;
+            choices.push(Choice { mode, values: self.values(corner) });
+            at = &self.rows.get(*row)?.leads_to;
+        }
+        Some(Answer::Refuted(start, choices))
+    }
+
+    /// The largest set of assumptions and claims that holds of the start and that every step keeps.
+    fn kept_from_the_beginning(&mut self, limits: &Limits) -> Option<()> {
+        let assumed: Vec<Constraint> = self.starts.iter().flat_map(inequalities).collect();
+        for moment in 0..self.automaton.names.len() {
+            let claims = self.automaton.claims[moment].iter();
+            let claims = claims.filter_map(|&j| self.system.claims.get(j));
+            let claimed = claims.flat_map(|c| inequalities(&c.predicate.is)).collect::<Vec<_>>();
+            for is in claimed.into_iter().chain(assumed.clone()) {
+                if !self.rows.iter().any(|r| r.moment == moment && r.is == is) {
+                    let row = Row { is, moment, claim: None, depth: 0, leads_to: None };
+                    self.rows.push(row);
+                }
+            }
+        }
+        let mut gone = vec![false; self.rows.len()];
+        let mut base: Vec<Option<Vec<(usize, Rational)>>> = vec![None; self.rows.len()];
+        for j in 0..self.rows.len() {
+            if self.rows[j].moment == 0 {
+                base[j] = self.holds_of_start(j);
+                gone[j] = base[j].is_none();
+            }
+        }
+        let mut kept: Vec<Vec<Kept>>;
+        loop {
+            kept = vec![Vec::new(); self.rows.len()];
+            let mut dropped = false;
+            for j in 0..self.rows.len() {
+                if !gone[j] {
+                    match self.keeps(j, &gone) {
+                        Some(proofs) => kept[j] = proofs,
+                        None => (gone[j], dropped) = (true, true),
+                    }
+                }
+                if self.programs >= limits.programs {
+                    return None;
+                }
+            }
+            if !dropped {
+                break;
+            }
+        }
+        self.retain(&gone, base, kept);
+        Some(())
+    }
+
+    /// The proofs that every step to a row's moment keeps the row.
+    fn keeps(&mut self, row: usize, gone: &[bool]) -> Option<Vec<Kept>> {
+        let edges: Vec<(usize, usize, usize)> = self
+            .automaton
+            .into(self.rows[row].moment)
+            .map(|(e, edge)| (e, edge.from, edge.mode))
+            .collect();
+        let mut proofs = Vec::new();
+        for (edge, from, mode) in edges {
+            for corner in self.corners(row, mode) {
+                let image = self.pre_image(row, mode, &corner)?;
+                let multipliers = self.follows(&image, from, Some(gone))?;
+                proofs.push(Kept { row, edge, corner, multipliers });
+            }
+        }
+        Some(proofs)
+    }
+
+    /// Drops the rows that are gone, and renumbers the others.
+    fn retain(
+        &mut self,
+        gone: &[bool],
+        base: Vec<Option<Vec<(usize, Rational)>>>,
+        kept: Vec<Vec<Kept>>,
+    ) {
+        let mut place = vec![usize::MAX; gone.len()];
+        let mut rows = Vec::new();
+        for (j, row) in self.rows.drain(..).enumerate() {
+            if gone.get(j) == Some(&false) {
+                place[j] = rows.len();
+                rows.push(row);
+            }
+        }
+        self.rows = rows;
+        let at = |j: usize| place.get(j).copied().unwrap_or(usize::MAX);
+        for (j, multipliers) in base.into_iter().enumerate() {
+            if let (Some(m), false) = (multipliers, at(j) == usize::MAX) {
+                self.base.push((at(j), m));
+            }
+        }
+        for proof in kept.into_iter().flatten().filter(|k| at(k.row) != usize::MAX) {
+            let multipliers = proof.multipliers.into_iter().map(|(j, m)| (at(j), m)).collect();
+            self.kept.push(Kept { row: at(proof.row), multipliers, ..proof });
+        }
+    }
+}
+
+/// A start that meets the assumptions and of which the half-space fails.
+pub fn violating(
+    variables: usize,
+    starts: &[Constraint],
+    is: &Constraint,
+) -> Option<Vec<Rational>> {
+    // The negation of form > 0 is -form >= 0, and of form >= 0 it is -form > 0.
+    let form = Affine::constant(Rational::zero()) - &is.form;
+    let with = |sign| {
+        let last = Constraint { form: form.clone(), sign };
+        let all: Vec<Constraint> = starts.iter().cloned().chain([last]).collect();
+        point(variables, &all)
+    };
+    // A real violation first, then one that only touches the bound.
+    with(Sign::Positive)
+        .or_else(|| (is.sign == Sign::Positive).then(|| with(Sign::NonNegative)).flatten())
+}

@@ -1,0 +1,85 @@
+//! From which step on a system is near where it converges to, by its quadratic form.
+//!
+//! `|y^k|^2 <= rate^(2k) * y0'P y0 / floor`, where `P - floor * 1` is positive definite.
+
+use num_traits::{One, Signed, Zero};
+
+use super::bounds::greatest;
+use super::converge::Contraction;
+use super::readouts::Reference;
+use crate::settle::{Rounding, least_power_at_most};
+use cordon_core::Rational;
+use cordon_core::linear::affine::Affine;
+use cordon_core::linear::definite::is_positive_definite;
+use cordon_core::system::System;
+
+/// The step from which on every readout is at most `within`, from `start` or from every assumed start;
+/// `None` where the starts have no bound, or the step is beyond 63 bits.
+pub fn settles(
+    system: &System,
+    by: &Contraction,
+    start: Option<&[Rational]>,
+    within: &Rational,
+) -> Option<u64> {
+    let measured = match start {
+        Some(state) => {
+            let y = by.readouts.at(state)?;
+            let terms = by
+                .form
+                .iter()
+                .zip(&y)
+                .flat_map(|(row, a)| row.iter().zip(&y).map(move |(p, b)| p * a * b));
+            terms.fold(Rational::zero(), |sum, t| sum + t)
+        }
+        None => {
+            // Each readout by itself: no start has them all at their greatest.
+            let starts = system.start_constraints();
+            let bound = |(j, reference): &(usize, Reference)| {
+                let form = match reference {
+                    Reference::Target(t) => Affine::variable(*j) - &Affine::constant(t.clone()),
+                    Reference::Agent(r) => Affine::variable(*j) - &Affine::variable(*r),
+                };
+                let negated = Affine::constant(Rational::zero()) - &form;
+                let variables = system.state.len();
+                Some(
+                    greatest(&form, &starts, variables)?
+                        .max(greatest(&negated, &starts, variables)?),
+                )
+            };
+            let bounds = by.readouts.all.iter().map(bound).collect::<Option<Vec<_>>>()?;
+            let terms =
+                by.form.iter().zip(&bounds).flat_map(|(row, a)| {
+                    row.iter().zip(&bounds).map(move |(p, b)| p.abs() * a * b)
+                });
+            terms.fold(Rational::zero(), |sum, t| sum + t)
+        }
+    };
+    let wanted = within * within * floor(&by.form)?;
+    if measured <= wanted {
+        return Some(0);
+    }
+    least_power_at_most(&(&by.rate * &by.rate), &(wanted / measured), Rounding::Up)
+}
+
+/// A number that the form is at least on every vector of length 1.
+fn floor(form: &[Vec<Rational>]) -> Option<Rational> {
+    let mut floor = Rational::one();
+    let half = Rational::new(1.into(), 2.into());
+    for _ in 0..60 {
+        let lowered: Vec<Vec<Rational>> = form
+            .iter()
+            .enumerate()
+            .map(|(i, row)| {
+                row.iter()
+                    .enumerate()
+                    .map(|(j, p)| if i == j { p - &floor } else { p.clone() })
+                    .collect()
+            })
+            .collect();
+        if is_positive_definite(&lowered) {
+            return Some(floor);
+        }
+        floor *= &half;
+    }
+    None
+}

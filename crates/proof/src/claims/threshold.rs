@@ -1,0 +1,119 @@
+//! The critical value of a parameter: on one side a proof, on the other a counterexample.
+
+use num_traits::One;
+
+use super::{constants, converge, prove, refute};
+use cordon_core::linear::simplest::strictly_between;
+use cordon_core::system::{ParameterKind, System};
+use cordon_core::{Rational, Result};
+
+/// Which property is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Property {
+    /// The claims hold at every step they are about.
+    Claims,
+    /// The system converges as claimed.
+    Convergence,
+}
+
+/// What is known at one value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Known {
+    /// It holds, with a certificate.
+    Holds,
+    /// It fails: an exact run, or a certificate of growth.
+    Fails,
+    /// Neither was found.
+    Open,
+}
+
+/// A bracket of the critical value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Bracket {
+    /// The nearest value found at which the property holds.
+    pub holds: Rational,
+    /// The nearest value found at which it fails.
+    pub fails: Rational,
+    /// A value between at which neither was found, where that ended the search.
+    pub open: Option<Rational>,
+}
+
+/// Steps up to which counterexamples are searched.
+const STEPS: usize = 40;
+
+/// The system with one value of a parameter.
+pub fn with(system: &System, parameter: usize, value: &Rational) -> System {
+    let mut system = system.clone();
+    if let Some(p) = system.parameters.get_mut(parameter) {
+        (p.low, p.high) = (value.clone(), value.clone());
+    }
+    system
+}
+
+/// What is known of a system whose constants have ranges: it holds for all, or fails for some.
+///
+/// # Errors
+/// The checker rejects what was found.
+pub fn known(system: &System, property: Property) -> Result<Known> {
+    Ok(match property {
+        Property::Claims => {
+            if prove(system).is_some() {
+                Known::Holds
+            } else {
+                let some = constants(system, 4).unwrap_or_default();
+                let (run, _) = refute(system, &some, None, STEPS);
+                if run.is_some() { Known::Fails } else { Known::Open }
+            }
+        }
+        Property::Convergence => {
+            if converge::contraction(system)?.is_some() {
+                Known::Holds
+            } else if converge::grows(system)?.is_some() {
+                Known::Fails
+            } else {
+                Known::Open
+            }
+        }
+    })
+}
+
+/// The critical value of a parameter in its range, to so many decimal places. `None` where the property
+/// does not hold at one end of the range and fail at the other; what is known at both ends comes with it.
+///
+/// # Errors
+/// The checker rejects what was found.
+pub fn critical(
+    system: &System,
+    parameter: usize,
+    property: Property,
+    digits: usize,
+) -> Result<(Option<Bracket>, [Known; 2])> {
+    let Some(p) = system.parameters.get(parameter) else { return Ok((None, [Known::Open; 2])) };
+    debug_assert!(p.kind == ParameterKind::Constant);
+    let at = |value: &Rational| known(&with(system, parameter, value), property);
+    let ends = [at(&p.low)?, at(&p.high)?];
+    let (mut holds, mut fails) = match ends {
+        [Known::Holds, Known::Fails] => (p.low.clone(), p.high.clone()),
+        [Known::Fails, Known::Holds] => (p.high.clone(), p.low.clone()),
+        _ => return Ok((None, ends)),
+    };
+    let ten = Rational::from_integer(10.into());
+    let width = (0..digits).fold(Rational::one(), |w, _| w / &ten);
+    let mut open = None;
+    while num_traits::abs(&holds - &fails) > width {
+        // The simplest fraction in the middle half.
+        let quarter = (&fails - &holds) / Rational::from_integer(4.into());
+        let (a, b) = (&holds + &quarter, &fails - &quarter);
+        let (low, high) = if a < b { (a, b) } else { (b, a) };
+        let Some(middle) = strictly_between(&low, &high) else { break };
+        match at(&middle)? {
+            Known::Holds => holds = middle,
+            Known::Fails => fails = middle,
+            Known::Open => {
+                open = Some(middle);
+                break;
+            }
+        }
+    }
+    Ok((Some(Bracket { holds, fails, open }), ends))
+}

@@ -1,0 +1,129 @@
+//! Protocol files: a user's own protocol as TOML, `cordon-protocol/1`.
+//!
+//! The page of documentation is `docs/src/protocol-file.md`. A file is read once and made into a
+//! [`System`] for any number of agents that it allows.
+
+mod claims;
+mod classes;
+mod document;
+mod links;
+mod rules;
+
+use std::path::Path;
+
+use cordon_core::files::{self, Limit};
+use cordon_core::system::{Convergence, MOST_VARIABLES, Schedule, System, state_names};
+use cordon_core::{Error, Result};
+
+use crate::scenario::document::document;
+use crate::scenario::file::Source;
+pub use classes::Classes;
+pub use document::Agents;
+use document::Document;
+
+/// A protocol file, read and checked as far as that does not depend on the number of agents.
+#[derive(Clone, Debug)]
+pub struct ProtocolFile {
+    name: String,
+    text: String,
+    document: Document,
+    /// How many agents it speaks of.
+    pub agents: Agents,
+}
+
+/// Reads a protocol file.
+///
+/// # Errors
+/// The file cannot be read, is no TOML, or has an unknown key: the message has file, line, column
+/// and key.
+pub fn read(path: &Path) -> Result<ProtocolFile> {
+    parse(&path.display().to_string(), &files::read_text(path, Limit::PROTOCOL)?)
+}
+
+/// Reads a protocol from text; `name` stands for the file in messages.
+///
+/// # Errors
+/// As for [`read`].
+pub fn parse(name: &str, text: &str) -> Result<ProtocolFile> {
+    let source = Source { name, text };
+    let (document, _): (Document, _) = document(&source)?;
+    document.refuse_former_keys(&source)?;
+    let agents = document.agents(&source)?;
+    Ok(ProtocolFile { name: name.to_owned(), text: text.to_owned(), document, agents })
+}
+
+impl ProtocolFile {
+    /// The system with as many agents as the file names; of a range the fewest.
+    ///
+    /// # Errors
+    /// A rule, an assumption or a claim is wrong: the message has file, line, column and key.
+    pub fn system(&self) -> Result<System> {
+        self.with_agents(self.agents.fewest())
+    }
+
+    /// The system with `count` agents.
+    ///
+    /// # Errors
+    /// As for [`system`](Self::system); or the file does not allow that number.
+    pub fn with_agents(&self, count: usize) -> Result<System> {
+        let source = Source { name: &self.name, text: &self.text };
+        let doc = &self.document;
+        if !self.agents.allow(count) {
+            let message = format!("agents: `{count}`: expected {}", self.agents);
+            return Err(source.error(&doc.agents_place(), &message));
+        }
+        let variables = doc.variables(&source)?;
+        let links = doc.links(&source, count)?;
+        let constants = doc.parameters(&source, &variables)?;
+        let rules = rules::Rules::new(&source, doc, count, &variables, constants, links)?;
+        let built = rules.build()?;
+        if built.state.len() > MOST_VARIABLES {
+            let message = format!(
+                "agents: {count} agents with {} state variables, those of the past included: \
+                 expected at most {MOST_VARIABLES}",
+                built.state.len()
+            );
+            return Err(source.error(&doc.agents_place(), &message));
+        }
+        let claims = claims::Claims { source: &source, agents: count, variables: &variables };
+        let claimed = claims.claims(&doc.claims)?;
+        let starts = match &doc.start {
+            Some(list) => claims.starts(list)?,
+            None => claimed.iter().filter(|c| c.from == 0).map(|c| c.predicate.clone()).collect(),
+        };
+        let mut converges = doc.converges(&source, &claims)?;
+        if let Some(Convergence::To(targets)) = &mut converges {
+            let past: Vec<_> = built.past.iter().filter_map(|&j| targets.get(j).cloned()).collect();
+            targets.extend(past);
+        }
+        if claimed.is_empty() && converges.is_none() {
+            return Err(Error::input(format!(
+                "{}: no claim: expected `claims` or `converges`",
+                self.name
+            )));
+        }
+        debug_assert!(built.state.starts_with(&state_names(count, &variables)));
+        Ok(System {
+            title: doc.title.clone().unwrap_or_else(|| self.name.clone()),
+            agents: count,
+            variables,
+            state: built.state,
+            past: built.past,
+            parameters: built.parameters,
+            schedule: match built.cycle {
+                Some(list) => Schedule::Cycle(list),
+                None => Schedule::Any,
+            },
+            modes: built.modes,
+            links: built.links,
+            starts,
+            claims: claimed,
+            converges,
+        })
+    }
+
+    /// Whether the file leaves the number of agents open.
+    pub fn is_family(&self) -> bool {
+        matches!(self.agents, Agents::From(_))
+    }
+}

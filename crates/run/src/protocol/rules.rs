@@ -1,0 +1,503 @@
+//! Rules by class of agents, made into the modes of a system.
+//!
+//! What an agent hears of another one goes through [`Heard`]: where links fail, its own value stands
+//! for what it does not hear, and where messages are late, any value of the last steps is heard. Whether
+//! a link works, how old a message is, and whether an agent acts at all are parameters between 0 and 1
+//! that are chosen anew in each step, so that every departure is a system of one kind.
+
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+
+use num_traits::{One, Zero};
+use toml::{Spanned, Value};
+
+use super::claims::{no_agent, numbered};
+use super::document::{Document, Loss, RuleTable};
+use super::links::{Links, Topology};
+use crate::scenario::file::Source;
+use cordon_core::scalar::Polynomial;
+use cordon_core::system::expression::{Expression, Meaning, SyntaxError};
+use cordon_core::system::{Mode, Parameter, ParameterKind, Variable, state_names};
+use cordon_core::{Error, Rational, Result};
+
+/// A rule: an expression a state variable of an agent, with its place in the file.
+#[derive(Clone, Debug)]
+struct Rule {
+    field: String,
+    place: Range<usize>,
+    next: Vec<Expression>,
+}
+
+/// The rules of a file, for one number of agents.
+pub(super) struct Rules<'s> {
+    source: &'s Source<'s>,
+    count: usize,
+    variables: &'s [Variable],
+    constants: Vec<Parameter>,
+    links: Links,
+    /// Of each mode its name and the rule of every agent.
+    modes: Vec<(String, Vec<Rule>)>,
+    cycle: Option<Vec<usize>>,
+    skip: bool,
+    loss: Option<Loss>,
+    delay: usize,
+}
+
+/// What the rules come to.
+pub(super) struct Built {
+    pub state: Vec<String>,
+    pub past: Vec<usize>,
+    pub parameters: Vec<Parameter>,
+    pub modes: Vec<Mode>,
+    pub cycle: Option<Vec<usize>>,
+    pub links: Vec<(usize, usize)>,
+}
+
+impl<'s> Rules<'s> {
+    pub fn new(
+        source: &'s Source<'s>,
+        doc: &Document,
+        count: usize,
+        variables: &'s [Variable],
+        constants: Vec<Parameter>,
+        links: Links,
+    ) -> Result<Self> {
+        let mut rules = Self {
+            source,
+            count,
+            variables,
+            constants,
+            links,
+            modes: Vec::new(),
+            cycle: None,
+            skip: doc.departures.skip,
+            loss: doc.loss(source)?,
+            delay: doc.delay(source)?,
+        };
+        let base = doc.rules.as_ref().map(Spanned::get_ref);
+        let empty = RuleTable::new();
+        let base = base.unwrap_or(&empty);
+        if doc.modes.is_empty() {
+            rules.modes.push(("step".to_owned(), rules.mode("rules", base, None)?));
+        }
+        for (name, table) in &doc.modes {
+            let field = format!("modes.{}", name.get_ref());
+            if name.get_ref().is_empty()
+                || !name.get_ref().chars().all(|c| c.is_ascii_alphanumeric())
+            {
+                let message = format!("{field}: expected a name of letters and digits");
+                return Err(source.error(&name.span(), &message));
+            }
+            rules.modes.push((name.get_ref().clone(), rules.mode(&field, base, Some(table))?));
+        }
+        if let Some(list) = &doc.switching {
+            let place = |mode: &Spanned<String>| {
+                let found = rules.modes.iter().position(|(name, _)| name == mode.get_ref());
+                found.ok_or_else(|| {
+                    let known: Vec<&str> = rules.modes.iter().map(|(n, _)| n.as_str()).collect();
+                    let message = format!(
+                        "switching: `{}` is no mode: expected some of {}",
+                        mode.get_ref(),
+                        known.join(", ")
+                    );
+                    source.error(&mode.span(), &message)
+                })
+            };
+            let cycle: Vec<usize> = list.get_ref().iter().map(place).collect::<Result<_>>()?;
+            if cycle.is_empty() || cycle.len() > 50 {
+                return Err(source.error(&list.span(), "switching: expected 1 to 50 modes"));
+            }
+            rules.cycle = Some(cycle);
+        }
+        Ok(rules)
+    }
+
+    /// The rule of every agent: of the mode, else of the file; of the agent, else of its class, else
+    /// of all.
+    fn mode(&self, field: &str, base: &RuleTable, over: Option<&RuleTable>) -> Result<Vec<Rule>> {
+        let mut chosen: Vec<Option<(u8, Rule)>> = vec![None; self.count];
+        let tables = [(base, "rules", 0)].into_iter().chain(over.map(|t| (t, field, 4)));
+        for (table, field, rank) in tables {
+            for (key, value) in table {
+                let (agents, class) = self.class(field, key)?;
+                let rule = self.rule(&format!("{field}.{}", key.get_ref()), value)?;
+                for i in agents {
+                    let Some(slot) = chosen.get_mut(i) else { continue };
+                    if slot.as_ref().is_none_or(|(before, _)| *before <= rank + class) {
+                        *slot = Some((rank + class, rule.clone()));
+                    }
+                }
+            }
+        }
+        let mut rules = Vec::new();
+        for (i, rule) in chosen.into_iter().enumerate() {
+            let Some((_, rule)) = rule else {
+                return Err(Error::input(format!(
+                    "{}: {field}: agent {i} has no rule: expected `all`, `inner` or `{i}`",
+                    self.source.name
+                )));
+            };
+            rules.push(rule);
+        }
+        Ok(rules)
+    }
+
+    /// The agents that a key of rules speaks of, and how particular it is.
+    fn class(&self, field: &str, key: &Spanned<String>) -> Result<(Range<usize>, u8)> {
+        let last = self.count.saturating_sub(1);
+        match key.get_ref().as_str() {
+            "all" => Ok((0..self.count, 0)),
+            "first" => Ok((0..1, 1)),
+            "inner" => Ok((1..last.max(1), 1)),
+            "last" => Ok((last..self.count, 1)),
+            other => match other.parse::<usize>() {
+                Ok(i) if i < self.count => Ok((i..i + 1, 2)),
+                _ => {
+                    let message = format!(
+                        "{field}.{other}: expected `all`, `first`, `inner`, `last` or an agent from 0 \
+                         to {last}"
+                    );
+                    Err(self.source.error(&key.span(), &message))
+                }
+            },
+        }
+    }
+
+    fn rule(&self, field: &str, value: &Spanned<Value>) -> Result<Rule> {
+        let place = value.span();
+        let parse = |field: &str, written: &Value| {
+            let Some(written) = text(written) else {
+                let message = format!("{field}: expected an expression in quotes");
+                return Err(self.source.error(&place, &message));
+            };
+            Expression::parse(&written).map_err(|e| syntax(self.source, field, &place, &e))
+        };
+        let next = match value.get_ref() {
+            Value::Table(table) => {
+                let is_variable = |name: &String| self.variables.iter().any(|v| v.name == *name);
+                if let Some(other) = table.keys().find(|k| !is_variable(k)) {
+                    let message = format!("{field}: `{other}` is no state variable");
+                    return Err(self.source.error(&place, &message));
+                }
+                let own = |v: &Variable| match table.get(&v.name) {
+                    Some(written) => parse(&format!("{field}.{}", v.name), written),
+                    // What a rule does not name stays.
+                    None => Expression::parse(&v.name)
+                        .map_err(|e| syntax(self.source, field, &place, &e)),
+                };
+                self.variables.iter().map(own).collect::<Result<_>>()?
+            }
+            single if self.variables.len() == 1 => vec![parse(field, single)?],
+            _ => {
+                let names: Vec<String> =
+                    self.variables.iter().map(|v| format!("{} = \"..\"", v.name)).collect();
+                let message = format!(
+                    "{field}: expected an expression a state variable: {{ {} }}",
+                    names.join(", ")
+                );
+                return Err(self.source.error(&place, &message));
+            }
+        };
+        Ok(Rule { field: field.to_owned(), place, next })
+    }
+
+    /// The system's parts.
+    pub fn build(self) -> Result<Built> {
+        // First who hears whom: executed with nothing missing and nothing late.
+        let heard = RefCell::new(BTreeSet::new());
+        let mut layout = Layout::new(&self, &BTreeSet::new());
+        for (_, rules) in &self.modes {
+            self.execute(rules, &layout, &heard)?;
+        }
+        let heard = heard.into_inner();
+        layout = Layout::new(&self, &heard);
+        let ignored = RefCell::new(BTreeSet::new());
+        let mut modes = Vec::new();
+        for (name, rules) in &self.modes {
+            let mut next = self.execute(rules, &layout, &ignored)?;
+            next.extend(layout.past.iter().map(|p| p.next.clone()));
+            let mode = Mode::read(name, &next, layout.state.len(), &layout.parameters);
+            modes.push(
+                mode.map_err(|e| Error::input(format!("{}: {name}: {e}", self.source.name)))?,
+            );
+        }
+        Ok(Built {
+            state: layout.state,
+            past: layout.past.iter().map(|p| p.source).collect(),
+            parameters: layout.parameters,
+            modes,
+            cycle: self.cycle,
+            links: heard.into_iter().collect(),
+        })
+    }
+
+    fn execute(
+        &self,
+        rules: &[Rule],
+        layout: &Layout,
+        heard: &RefCell<BTreeSet<(usize, usize)>>,
+    ) -> Result<Vec<Polynomial>> {
+        let mut next = Vec::new();
+        for (i, rule) in rules.iter().enumerate() {
+            let names = Names { rules: self, layout, heard, i, their: None };
+            for (v, expression) in rule.next.iter().enumerate() {
+                let wrong = |e: SyntaxError| {
+                    let field = format!("{} (agent {i})", rule.field);
+                    syntax(self.source, &field, &rule.place, &e)
+                };
+                let value = expression.value(&names).map_err(wrong)?;
+                Mode::read(
+                    "step",
+                    std::slice::from_ref(&value),
+                    layout.state.len(),
+                    &layout.parameters,
+                )
+                .map_err(|e| wrong(SyntaxError { at: 0, message: e.to_string() }))?;
+                next.push(match layout.acts.get(i) {
+                    Some(&p) => {
+                        let own = layout.symbol(i * self.variables.len() + v);
+                        let moved = value - &own;
+                        own + &(layout.parameter(p) * &moved)
+                    }
+                    None => value,
+                });
+            }
+        }
+        Ok(next)
+    }
+}
+
+/// A state variable that holds the past.
+struct Past {
+    /// The agent's variable that it repeats at rest.
+    source: usize,
+    /// What it becomes.
+    next: Polynomial,
+}
+
+/// Which indeterminate stands for what.
+struct Layout {
+    state: Vec<String>,
+    past: Vec<Past>,
+    parameters: Vec<Parameter>,
+    /// The parameter that says whether an agent acts, by agent.
+    acts: Vec<usize>,
+    /// The parameter that says whether a link works, by listener and speaker.
+    works: BTreeMap<(usize, usize), usize>,
+    /// The parameters that say that a message is older, by listener and speaker; one a step of age.
+    late: BTreeMap<(usize, usize), Vec<usize>>,
+    /// The places of a variable's past values, by the place of the variable.
+    before: BTreeMap<usize, Vec<usize>>,
+}
+
+impl Layout {
+    fn new(rules: &Rules<'_>, heard: &BTreeSet<(usize, usize)>) -> Self {
+        let per_agent = rules.variables.len();
+        let mut layout = Self {
+            state: state_names(rules.count, rules.variables),
+            past: Vec::new(),
+            parameters: rules.constants.clone(),
+            acts: Vec::new(),
+            works: BTreeMap::new(),
+            late: BTreeMap::new(),
+            before: BTreeMap::new(),
+        };
+        let speakers: BTreeSet<usize> = heard.iter().map(|(_, j)| *j).collect();
+        for place in speakers.iter().flat_map(|j| j * per_agent..(j + 1) * per_agent) {
+            let mut before = place;
+            for age in 1..=rules.delay {
+                let name =
+                    format!("{}ago{age}", layout.state.get(place).map_or("", String::as_str));
+                layout.before.entry(place).or_default().push(layout.state.len());
+                layout.past.push(Past { source: place, next: layout.symbol(before) });
+                before = layout.state.len();
+                layout.state.push(name);
+            }
+        }
+        if rules.skip && !heard.is_empty() {
+            layout.acts = (0..rules.count).map(|i| layout.choice(format!("acts{i}"))).collect();
+        }
+        for &(i, j) in heard {
+            match rules.loss {
+                None => {}
+                Some(Loss::OneSided) => {
+                    let p = layout.choice(format!("link{i}from{j}"));
+                    layout.works.insert((i, j), p);
+                }
+                Some(Loss::Symmetric) => {
+                    let p = match layout.works.get(&(j, i)) {
+                        Some(&p) => p,
+                        None => layout.choice(format!("link{}with{}", i.min(j), i.max(j))),
+                    };
+                    layout.works.insert((i, j), p);
+                }
+            }
+            let older =
+                (1..=rules.delay).map(|age| layout.choice(format!("late{age}at{i}from{j}")));
+            let older = older.collect::<Vec<_>>();
+            layout.late.insert((i, j), older);
+        }
+        layout
+    }
+
+    /// A parameter that is 0 or 1, anew in each step.
+    fn choice(&mut self, name: String) -> usize {
+        let (low, high) = (Rational::zero(), Rational::one());
+        self.parameters.push(Parameter { name, low, high, kind: ParameterKind::Choice });
+        self.parameters.len() - 1
+    }
+
+    fn symbol(&self, place: usize) -> Polynomial {
+        Polynomial::variable(u32::try_from(place).unwrap_or(u32::MAX))
+    }
+
+    fn parameter(&self, p: usize) -> Polynomial {
+        self.symbol(self.state.len() + p)
+    }
+}
+
+/// The names in the rule of agent `i`.
+struct Names<'r> {
+    rules: &'r Rules<'r>,
+    layout: &'r Layout,
+    heard: &'r RefCell<BTreeSet<(usize, usize)>>,
+    i: usize,
+    /// Within a sum, the neighbour and the weight of its link.
+    their: Option<(usize, &'r Rational)>,
+}
+
+impl Names<'_> {
+    fn variable(&self, name: &str) -> Option<usize> {
+        self.rules.variables.iter().position(|v| v.name == name)
+    }
+
+    fn own(&self, v: usize) -> Polynomial {
+        self.layout.symbol(self.i * self.rules.variables.len() + v)
+    }
+
+    /// What this agent hears of variable `v` of agent `j`.
+    fn of(&self, j: usize, v: usize) -> Polynomial {
+        if j == self.i {
+            return self.own(v);
+        }
+        let link = (self.i, j);
+        self.heard.borrow_mut().insert(link);
+        let place = j * self.rules.variables.len() + v;
+        // From the oldest on: each parameter chooses between one age and what is older.
+        let past = self.layout.before.get(&place).map_or(&[][..], Vec::as_slice);
+        let late = self.layout.late.get(&link).map_or(&[][..], Vec::as_slice);
+        let ages: Vec<Polynomial> =
+            [place].iter().chain(past).map(|&p| self.layout.symbol(p)).collect();
+        let mut said = ages.last().cloned().unwrap_or_default();
+        for (newer, &p) in ages.iter().zip(late).rev() {
+            let older = said - newer;
+            said = newer.clone() + &(self.layout.parameter(p) * &older);
+        }
+        match self.layout.works.get(&link) {
+            Some(&p) => {
+                let difference = said - &self.own(v);
+                self.own(v) + &(self.layout.parameter(p) * &difference)
+            }
+            None => said,
+        }
+    }
+
+    fn of_agent(&self, j: usize, name: &str) -> std::result::Result<Polynomial, String> {
+        match self.variable(name) {
+            Some(v) if j < self.rules.count => Ok(self.of(j, v)),
+            Some(_) => Err(no_agent(j, self.rules.count)),
+            None => Err(format!("`{name}` is no state variable")),
+        }
+    }
+}
+
+impl Meaning for Names<'_> {
+    fn name(&self, name: &str) -> std::result::Result<Polynomial, String> {
+        let whole = |n: usize| Polynomial::constant(Rational::from_integer(n.into()));
+        if let Some(v) = self.variable(name) {
+            return Ok(self.own(v));
+        }
+        if let Some(p) = self.rules.constants.iter().position(|p| p.name == name) {
+            return Ok(self.layout.parameter(p));
+        }
+        match (name, self.their) {
+            ("N", _) => return Ok(whole(self.rules.count)),
+            ("i", _) => return Ok(whole(self.i)),
+            ("weight", Some((_, weight))) => return Ok(Polynomial::constant(weight.clone())),
+            _ => {}
+        }
+        match numbered(name) {
+            Some((letters, j)) if self.variable(letters).is_some() => self.of_agent(j, letters),
+            _ => Err(format!("`{name}` is no state variable, parameter, `N` or `i`")),
+        }
+    }
+
+    fn member(&self, owner: &str, name: &str) -> std::result::Result<Polynomial, String> {
+        let step =
+            match owner {
+                "prev" => -1,
+                "next" => 1,
+                "their" => {
+                    return match self.their {
+                        Some((j, _)) => self.of_agent(j, name),
+                        None => Err("`their` is the neighbour within `sum(..)`: expected it there"
+                            .to_owned()),
+                    };
+                }
+                other => return Err(format!("`{other}.`: expected `prev`, `next` or `their`")),
+            };
+        match (self.rules.links.beside(self.i, step), self.rules.links.topology) {
+            (Some(j), _) => self.of_agent(j, name),
+            (None, Topology::Line) => Err(format!(
+                "agent {} has no `{owner}`: expected a rule of its own for {}",
+                self.i,
+                if step < 0 { "`first`" } else { "`last`" }
+            )),
+            _ => Err(format!(
+                "`{owner}` is on a line or a ring: expected `topology = \"line\"` or `\"ring\"`"
+            )),
+        }
+    }
+
+    fn indexed(&self, name: &str, index: &Rational) -> std::result::Result<Polynomial, String> {
+        match usize::try_from(index.to_integer()) {
+            Ok(j) if index.is_integer() => self.of_agent(j, name),
+            _ => Err(no_agent(index, self.rules.count)),
+        }
+    }
+
+    fn sum(&self, inner: &Expression) -> std::result::Result<Polynomial, SyntaxError> {
+        if self.rules.links.topology == Topology::None {
+            let message = "`sum` is over neighbours: expected a key `topology`".to_owned();
+            return Err(SyntaxError { at: 0, message });
+        }
+        let heard = self.rules.links.heard.get(self.i).map_or(&[][..], Vec::as_slice);
+        heard.iter().try_fold(Polynomial::default(), |sum, (j, weight)| {
+            let names = Names { their: Some((*j, weight)), ..*self };
+            Ok(sum + &inner.value(&names)?)
+        })
+    }
+}
+
+/// The text of an expression: a text in quotes, or a number.
+pub(super) fn text(value: &Value) -> Option<String> {
+    match value {
+        Value::String(text) => Some(text.clone()),
+        Value::Integer(n) => Some(n.to_string()),
+        Value::Float(x) => Some(x.to_string()),
+        _ => None,
+    }
+}
+
+/// The error that a syntax error is, at its place in a text in quotes.
+pub(super) fn syntax(
+    source: &Source<'_>,
+    field: &str,
+    at: &Range<usize>,
+    e: &SyntaxError,
+) -> Error {
+    // Inside the quotation marks; escapes have no use in expressions.
+    let start = (at.start + 1 + e.at).min(at.end);
+    source.error(&(start..at.end), &format!("{field}: {}", e.message))
+}

@@ -1,0 +1,144 @@
+//! `--protocol FILE` of the commands that decide: a user's own protocol.
+
+mod prove;
+mod refute;
+mod settle;
+mod show;
+mod threshold;
+
+use std::path::{Path, PathBuf};
+
+pub use prove::prove;
+pub use refute::{Search, refute};
+pub use settle::settle;
+pub use threshold::threshold;
+
+use super::table::abridged;
+use cordon_core::exact::shortened;
+use cordon_core::system::{Parameter, System};
+use cordon_core::text::shell_word;
+use cordon_core::{Error, Rational, Result, range};
+use cordon_proof::claims;
+use cordon_run::protocol::{Classes, ProtocolFile, read};
+
+/// A protocol file, and what of it is fixed.
+#[derive(clap::Args, Clone, Debug, Default)]
+pub struct ProtocolArgs {
+    /// The claims of a protocol of your own instead (TOML, see `scenarios/own/`)
+    #[arg(long, value_name = "FILE", help_heading = "Own protocol")]
+    pub protocol: Option<PathBuf>,
+    /// Of a protocol for any number of agents, this number [default: in `prove` every number, else the
+    /// fewest]
+    #[arg(long, value_name = "N", requires = "protocol", help_heading = "Own protocol")]
+    pub agents: Option<usize>,
+    /// A parameter's value or range in the place of the file's: `eps=1/3`, `gain=0..2`
+    #[arg(
+        long,
+        value_name = "NAME=X|LO..HI",
+        requires = "protocol",
+        allow_hyphen_values = true,
+        help_heading = "Own protocol"
+    )]
+    pub set: Vec<String>,
+}
+
+impl ProtocolArgs {
+    /// The file and its system, where one is named.
+    ///
+    /// # Errors
+    /// The file is wrong, a parameter is not there, or no start meets the assumptions.
+    pub fn system(&self) -> Result<Option<(ProtocolFile, System)>> {
+        let Some(path) = &self.protocol else { return Ok(None) };
+        let file = read(path)?;
+        let mut system = file.with_agents(self.agents.unwrap_or(file.agents.fewest()))?;
+        self.narrow(&mut system.parameters)?;
+        if claims::is_vacuous(&system) {
+            return Err(Error::input(format!(
+                "{}: start: no start meets the assumptions: expected one that does",
+                path.display()
+            )));
+        }
+        Ok(Some((file, system)))
+    }
+
+    /// The parameters with the values and ranges of `--set`.
+    fn narrow(&self, parameters: &mut [Parameter]) -> Result<()> {
+        for set in &self.set {
+            let (name, values) = set.split_once('=').ok_or_else(|| {
+                Error::input(format!(
+                    "set: `{}`: expected a parameter and its value, like `eps=1/3`",
+                    shortened(set)
+                ))
+            })?;
+            let (low, high) = range::closed(&format!("set: {}", shortened(name)), values)?;
+            let known: Vec<&str> = parameters.iter().map(|p| p.name.as_str()).collect();
+            let unknown = format!(
+                "set: `{}` is no parameter: expected one of {}",
+                shortened(name),
+                abridged_words(&known)
+            );
+            match parameters.iter_mut().find(|p| p.name == name) {
+                Some(p) => (p.low, p.high) = (low, high),
+                None => return Err(Error::input(unknown)),
+            }
+        }
+        Ok(())
+    }
+
+    /// The classes of a protocol for every number of agents, where no number is named; or why there are
+    /// none.
+    ///
+    /// # Errors
+    /// The file is wrong, or a parameter is not there.
+    fn classes(&self, file: &ProtocolFile) -> Result<Option<std::result::Result<Classes, String>>> {
+        if self.agents.is_some() || !file.is_family() {
+            return Ok(None);
+        }
+        Ok(Some(match file.classes()? {
+            Ok(mut classes) => {
+                self.narrow(&mut classes.parameters)?;
+                Ok(classes)
+            }
+            Err(reason) => Err(reason),
+        }))
+    }
+
+    fn path(&self) -> &Path {
+        self.protocol.as_deref().unwrap_or(Path::new(""))
+    }
+
+    /// The flags that name this system again.
+    fn flags(&self) -> String {
+        let mut flags = format!("--protocol {}", shell_word(&self.path().display().to_string()));
+        if let Some(n) = self.agents {
+            flags += &format!(" --agents {n}");
+        }
+        flags
+    }
+}
+
+fn abridged_words(words: &[&str]) -> String {
+    match words {
+        [] => "none".to_owned(),
+        _ => abridged(&words.iter().map(|w| (*w).to_owned()).collect::<Vec<_>>()),
+    }
+}
+
+/// The whole state of a start that the assumptions allow.
+fn assumed(system: &System, start: &[Rational]) -> Result<Vec<Rational>> {
+    let state = system.at_rest(start).ok_or_else(|| {
+        Error::input(format!(
+            "start: {} numbers: expected {}, one a state variable: {}",
+            start.len(),
+            system.state.len() - system.past.len(),
+            abridged(&system.state)
+        ))
+    })?;
+    match system.starts.iter().find(|p| !p.holds(&state)) {
+        Some(broken) => Err(Error::input(format!(
+            "start: does not meet `{}`: expected a start that the protocol assumes",
+            broken.text
+        ))),
+        None => Ok(state),
+    }
+}

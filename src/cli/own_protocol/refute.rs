@@ -1,0 +1,229 @@
+//! Counterexamples to the claims of a protocol file.
+
+use std::io::Write;
+
+use serde_json::{Value, json};
+
+use super::show::{constants_text, head, headline};
+use super::{ProtocolArgs, assumed};
+use crate::cli::select::OutputFormat;
+use cordon_core::exact::fraction;
+use cordon_core::system::{Parameter, ParameterKind, System};
+use cordon_core::table::lines;
+use cordon_core::{Error, Evidence, Outcome, Rational, Result};
+use cordon_proof::claims::{self, MOST_COMBINATIONS, Run};
+use cordon_proof::counterexample::list;
+
+/// Where to search for a counterexample.
+#[derive(Clone, Debug)]
+pub struct Search {
+    /// Of a range of constants, the fractions with denominators up to this.
+    pub denominators: u32,
+    /// Last step.
+    pub steps: usize,
+    /// Only the run from this start.
+    pub start: Option<Vec<Rational>>,
+}
+
+impl Default for Search {
+    /// What follows where no proof is found: constants with small denominators, some steps.
+    fn default() -> Self {
+        Self { denominators: 8, steps: 8, start: None }
+    }
+}
+
+/// Searches for a counterexample to the claims of a protocol file.
+///
+/// # Errors
+/// The start is wrong, or there is too much to search.
+pub fn refute(
+    args: &ProtocolArgs,
+    system: &System,
+    search: &Search,
+    format: OutputFormat,
+    out: &mut dyn Write,
+) -> Result<Outcome> {
+    let text = format == OutputFormat::Text;
+    if text {
+        writeln!(out, "{}", headline(system))?;
+    }
+    let (outcome, found) = refuted_claims(args, system, search, text, out)?;
+    if !text {
+        let mut page = head(system);
+        page.insert("claims", found);
+        writeln!(out, "{:#}", json!(page))?;
+    }
+    Ok(outcome)
+}
+
+/// The search, said in text where that is wanted, and as JSON.
+///
+/// # Errors
+/// As for [`refute`].
+pub fn refuted_claims(
+    args: &ProtocolArgs,
+    system: &System,
+    search: &Search,
+    text: bool,
+    out: &mut dyn Write,
+) -> Result<(Outcome, Value)> {
+    let constants = claims::constants(system, search.denominators).ok_or_else(|| {
+        Error::input(format!(
+            "set: more than {MOST_COMBINATIONS} combinations of constants: expected values for some, or \
+             smaller denominators"
+        ))
+    })?;
+    let start = search.start.as_deref().map(|x| assumed(system, x)).transpose()?;
+    let (found, complete) = claims::refute(system, &constants, start.as_deref(), search.steps);
+    if text {
+        match &found {
+            Some(run) => refuted(args, system, run, out)?,
+            None => not_refuted(system, search, &constants, complete, out)?,
+        }
+    }
+    let page = json!({
+        "proved": if found.is_some() { json!(false) } else { Value::Null },
+        "counterexample": found.as_ref().map(|run| as_json(args, system, run)),
+        "searched": {
+            "constants": constants.len(),
+            "steps": complete,
+            "starts": if search.start.is_some() { "given" } else { "every" },
+        },
+    });
+    Ok((if found.is_some() { Outcome::Refuted } else { Outcome::Inconclusive }, page))
+}
+
+fn refuted(args: &ProtocolArgs, system: &System, run: &Run, out: &mut dyn Write) -> Result<()> {
+    writeln!(
+        out,
+        "  refuted{}: `{}` fails at step {}",
+        constants_text(system, &run.values),
+        claim_text(system, run),
+        run.step
+    )?;
+    for line in lines(&rows(system, run), |column| {
+        column > 0 && has_choices(system) && column == system.state.len() + 1
+    }) {
+        writeln!(out, "  {line}")?;
+    }
+    writeln!(out, "  {}, exact", Evidence::ThisRunOnly)?;
+    writeln!(out, "  replay: {}", replay_line(args, system, run))?;
+    Ok(())
+}
+
+fn has_choices(system: &System) -> bool {
+    !system.is_deterministic()
+}
+
+/// Most states of a run in text.
+const MOST_ROWS: usize = 40;
+
+/// The run as a table: a line a step, with what was chosen in it.
+fn rows(system: &System, run: &Run) -> Vec<Vec<String>> {
+    let mut head: Vec<String> =
+        ["step".to_owned()].into_iter().chain(system.state.clone()).collect();
+    if has_choices(system) {
+        head.push("by".to_owned());
+    }
+    let mut rows = vec![head];
+    for (k, state) in run.states.iter().enumerate() {
+        let skipped = run.states.len() > MOST_ROWS
+            && k >= MOST_ROWS / 2
+            && k + MOST_ROWS / 2 < run.states.len();
+        if skipped {
+            if k == MOST_ROWS / 2 {
+                rows.push(vec!["...".to_owned()]);
+            }
+            continue;
+        }
+        let mut row: Vec<String> =
+            [k.to_string()].into_iter().chain(state.iter().map(fraction)).collect();
+        if let Some(choice) = k
+            .checked_sub(1)
+            .and_then(|before| run.choices.get(before))
+            .filter(|_| has_choices(system))
+        {
+            let mode = system.modes.get(choice.mode).filter(|_| system.modes.len() > 1);
+            let varying = varying(system, &choice.values)
+                .map(|(p, v)| format!("{} = {}", p.name, fraction(v)));
+            let words: Vec<String> =
+                mode.map(|m| m.name.clone()).into_iter().chain(varying).collect();
+            row.push(words.join(", "));
+        }
+        rows.push(row);
+    }
+    rows
+}
+
+/// The parameters that may differ from step to step, with their values.
+fn varying<'s>(
+    system: &'s System,
+    values: &'s [Rational],
+) -> impl Iterator<Item = (&'s Parameter, &'s Rational)> {
+    let varies =
+        |(p, _): &(&Parameter, _)| p.kind != ParameterKind::Constant && p.fixed().is_none();
+    system.parameters.iter().zip(values).filter(varies)
+}
+
+fn not_refuted(
+    system: &System,
+    search: &Search,
+    constants: &[Vec<Rational>],
+    complete: usize,
+    out: &mut dyn Write,
+) -> Result<()> {
+    let which = if search.start.is_some() {
+        "from this start"
+    } else {
+        Evidence::CompleteForAllStarts.text()
+    };
+    let texts: Vec<String> = constants.iter().map(|v| constants_text(system, v)).collect();
+    let at = match texts.as_slice() {
+        [one] => one.clone(),
+        many => format!(" at {} combinations of constants", many.len()),
+    };
+    writeln!(out, "  not refuted: no counterexample up to step {complete}{at}: {which}")?;
+    if complete < search.steps {
+        writeln!(out, "  (the search was too large to go on to step {})", search.steps)?;
+    }
+    Ok(())
+}
+
+fn claim_text<'p>(system: &'p System, run: &Run) -> &'p str {
+    system.claims.get(run.claim).map_or("", |c| c.predicate.text.as_str())
+}
+
+fn replay_line(args: &ProtocolArgs, system: &System, run: &Run) -> String {
+    let now = system.state.len() - system.past.len();
+    let start = run.states.first().and_then(|x| x.get(..now)).map_or_else(String::new, list);
+    let constant = |(p, _): &(&Parameter, &Rational)| p.kind == ParameterKind::Constant;
+    let sets = system.parameters.iter().zip(&run.values).filter(constant);
+    let sets: String = sets.map(|(p, v)| format!(" --set {}={}", p.name, fraction(v))).collect();
+    format!("cordon refute {}{sets} --steps {} --start={start}", args.flags(), run.step)
+}
+
+fn as_json(args: &ProtocolArgs, system: &System, run: &Run) -> Value {
+    let states: Vec<Vec<String>> =
+        run.states.iter().map(|x| x.iter().map(fraction).collect()).collect();
+    let named = |(p, v): (&Parameter, &Rational)| (p.name.clone(), json!(fraction(v)));
+    let constant = |(p, _): &(&Parameter, &Rational)| p.kind == ParameterKind::Constant;
+    let constants: serde_json::Map<_, _> =
+        system.parameters.iter().zip(&run.values).filter(constant).map(named).collect();
+    let choices: Vec<Value> = run
+        .choices
+        .iter()
+        .map(|c| {
+            let values: serde_json::Map<_, _> = varying(system, &c.values).map(named).collect();
+            json!({ "mode": system.modes.get(c.mode).map(|m| &m.name), "values": values })
+        })
+        .collect();
+    json!({
+        "constants": constants,
+        "step": run.step,
+        "claim": claim_text(system, run),
+        "state": system.state,
+        "run": states,
+        "choices": choices,
+        "replay": replay_line(args, system, run),
+    })
+}

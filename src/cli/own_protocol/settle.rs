@@ -1,0 +1,80 @@
+//! From which step on a protocol of one's own is near where it converges to.
+
+use std::io::Write;
+
+use serde_json::json;
+
+use super::assumed;
+use super::show::{head, headline};
+use crate::cli::select::OutputFormat;
+use cordon_core::exact::{decimal_string, fraction};
+use cordon_core::system::System;
+use cordon_core::{Error, Evidence, Outcome, Rational, Result};
+use cordon_proof::claims::converge;
+use cordon_proof::claims::settle::settles;
+
+/// The step from which on everything that has to vanish is at most `within`.
+///
+/// # Errors
+/// The file does not say where the system converges to; the distance is not positive.
+pub fn settle(
+    system: &System,
+    start: Option<&[Rational]>,
+    within: &Rational,
+    format: OutputFormat,
+    out: &mut dyn Write,
+) -> Result<Outcome> {
+    if system.converges.is_none() {
+        return Err(Error::input(
+            "converges: is missing in the protocol file: expected `agreement` or `target`",
+        ));
+    }
+    if *within <= Rational::default() {
+        return Err(Error::input(format!("within: `{within}`: expected a positive distance")));
+    }
+    let state = start.map(|x| assumed(system, x)).transpose()?;
+    let found = converge::contraction(system)?;
+    let step = found.as_ref().and_then(|c| settles(system, c, state.as_deref(), within));
+    match format {
+        OutputFormat::Text => {
+            writeln!(out, "{}", headline(system))?;
+            let from = if start.is_some() { "this start" } else { "every assumed start" };
+            match (&found, step) {
+                (Some(c), Some(step)) => {
+                    writeln!(
+                        out,
+                        "  within {} from step {step} on, from {from}",
+                        fraction(within)
+                    )?;
+                    writeln!(
+                        out,
+                        "  {}: a quadratic form falls by {} ({}) in every step; the true step may be earlier",
+                        Evidence::Certified,
+                        fraction(&c.rate),
+                        decimal_string(&c.rate, 6)
+                    )?;
+                }
+                (Some(_), None) => writeln!(
+                    out,
+                    "  converges, but the assumed starts are not bounded: expected `start` in the file to \
+                     bound every variable, or --start"
+                )?,
+                (None, _) => writeln!(out, "  no form that falls in every step was found")?,
+            }
+        }
+        OutputFormat::Json => {
+            let mut page = head(system);
+            page.insert(
+                "settle",
+                json!({
+                    "within": fraction(within),
+                    "starts": if start.is_some() { "given" } else { "every" },
+                    "step": step,
+                    "rate": found.as_ref().map(|c| fraction(&c.rate)),
+                }),
+            );
+            writeln!(out, "{:#}", json!(page))?;
+        }
+    }
+    Ok(if step.is_some() { Outcome::Holds } else { Outcome::Inconclusive })
+}

@@ -1,0 +1,124 @@
+//! The critical value of a parameter of a protocol of one's own.
+
+use std::io::Write;
+
+use serde_json::json;
+
+use super::show::{head, headline};
+use crate::cli::select::OutputFormat;
+use cordon_core::exact::{decimal_string, fraction};
+use cordon_core::system::{Parameter, ParameterKind, System};
+use cordon_core::{Error, Evidence, Outcome, Result};
+use cordon_proof::claims::threshold::{Bracket, Known, Property, critical};
+
+/// Brackets the value of a parameter at which a property is lost.
+///
+/// # Errors
+/// There is no such parameter, or it has no range.
+pub fn threshold(
+    system: &System,
+    name: Option<&str>,
+    property: Property,
+    digits: usize,
+    format: OutputFormat,
+    out: &mut dyn Write,
+) -> Result<Outcome> {
+    let ranges = |p: &&Parameter| p.kind == ParameterKind::Constant && p.fixed().is_none();
+    let names: Vec<&str> =
+        system.parameters.iter().filter(ranges).map(|p| p.name.as_str()).collect();
+    let wanted = match (name, names.as_slice()) {
+        (Some(name), _) => name,
+        (None, [only]) => only,
+        (None, _) => {
+            return Err(Error::input(format!(
+                "parameter: {} parameters have ranges: expected --parameter with one of them",
+                names.len()
+            )));
+        }
+    };
+    let Some(place) = system.parameters.iter().position(|p| ranges(&p) && p.name == wanted) else {
+        return Err(Error::input(format!(
+            "parameter: `{wanted}`: expected a parameter with a range: {}",
+            if names.is_empty() { "there is none".to_owned() } else { names.join(", ") }
+        )));
+    };
+    let (found, ends) = critical(system, place, property, digits)?;
+    match format {
+        OutputFormat::Text => {
+            writeln!(out, "{}", headline(system))?;
+            match &found {
+                Some(bracket) => bracketed(wanted, property, bracket, digits, out)?,
+                None => {
+                    let word = |k| match k {
+                        Known::Holds => "holds",
+                        Known::Fails => "fails",
+                        Known::Open => "is open",
+                    };
+                    writeln!(
+                        out,
+                        "  no bracket: it {} at the lower end of {wanted} and {} at the upper end",
+                        word(ends[0]),
+                        word(ends[1])
+                    )?;
+                }
+            }
+        }
+        OutputFormat::Json => {
+            let mut page = head(system);
+            page.insert(
+                "threshold",
+                json!({
+                    "parameter": wanted,
+                    "property": match property {
+                        Property::Claims => "claims",
+                        Property::Convergence => "convergence",
+                    },
+                    "holds": found.as_ref().map(|b| fraction(&b.holds)),
+                    "fails": found.as_ref().map(|b| fraction(&b.fails)),
+                    "open": found.as_ref().and_then(|b| b.open.as_ref()).map(fraction),
+                }),
+            );
+            writeln!(out, "{:#}", json!(page))?;
+        }
+    }
+    Ok(match &found {
+        Some(Bracket { open: None, .. }) => Outcome::Holds,
+        _ => Outcome::Inconclusive,
+    })
+}
+
+fn bracketed(
+    name: &str,
+    property: Property,
+    found: &Bracket,
+    digits: usize,
+    out: &mut dyn Write,
+) -> Result<()> {
+    let places = digits + 2;
+    let (what, by) = match property {
+        Property::Claims => ("the claims", "an exact run"),
+        Property::Convergence => ("convergence", "a form that never falls"),
+    };
+    writeln!(
+        out,
+        "  holds  at {name} = {} ({}): {what}, {}",
+        fraction(&found.holds),
+        decimal_string(&found.holds, places),
+        Evidence::Certified
+    )?;
+    writeln!(
+        out,
+        "  fails  at {name} = {} ({}): {by}",
+        fraction(&found.fails),
+        decimal_string(&found.fails, places)
+    )?;
+    if let Some(open) = &found.open {
+        writeln!(
+            out,
+            "  open   at {name} = {} ({}): neither was found there, so that the bracket stays as wide",
+            fraction(open),
+            decimal_string(open, places)
+        )?;
+    }
+    Ok(())
+}

@@ -169,8 +169,7 @@ fn judged(swarm: &Cosimulation, wind: Option<Rational>) -> Result<Judged<'_>> {
         Finding::Negative(sample) => Flight::Unknown(Some(sample)),
         Finding::Undecided => Flight::Unknown(None),
     };
-    let found = std::mem::take(&mut certificates);
-    for (name, page) in found {
+    for (name, page) in std::mem::take(&mut certificates) {
         match certificate::judged(&page) {
             Ok(_) => certificates.push((name, page)),
             // Beyond what the checker reads.

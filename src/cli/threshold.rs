@@ -29,11 +29,10 @@ pub struct Args {
     /// With --protocol: the parameter whose critical value is wanted [default: the only one with a range]
     #[arg(long, value_name = "NAME", requires = "protocol", help_heading = "Own protocol")]
     parameter: Option<String>,
-    /// Number of drones, 3 to 1000 (not for separation, which is the same for all numbers)
-    #[arg(long, value_name = "N", required_if_eq_any(OF_DRONES), conflicts_with = "protocol")]
+    /// Number of drones, 3 to 1000; separation is the same for all numbers
+    #[arg(long, value_name = "N", conflicts_with = "protocol")]
     drones: Option<usize>,
-    /// Decimal places of the bracket, 1 to 1000 [default: 10, with --protocol 4, of
-    /// separation 2]
+    /// Decimal places of the bracket, 1 to 1000 [default: 10, with --protocol 4; separation: 1 to 4, 2]
     #[arg(long, value_name = "D")]
     digits: Option<usize>,
     #[command(flatten)]
@@ -60,10 +59,6 @@ enum Property {
     Separation,
 }
 
-/// The properties of the protocol alone.
-const OF_DRONES: [(&str, &str); 3] =
-    [("property", "ordering"), ("property", "bound"), ("property", "convergence")];
-
 impl Property {
     fn name(self) -> &'static str {
         match self {
@@ -87,17 +82,20 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if let Some((_, system)) = args.own.system()? {
         return own(args, &system, out);
     }
-    if args.property() != Property::Separation {
-        check_size(args.drones(), args.digits())?;
+    if args.property() == Property::Separation {
+        let folder = args.out.as_deref();
+        return separation::run(&args.flight, args.digits, folder, args.format, out);
     }
+    if args.drones.is_none() {
+        return Err(Error::input("drones: expected --drones N, a number from 3 to 1000"));
+    }
+    check_size(args.drones(), args.digits())?;
     match args.property() {
         Property::Ordering => keep(args, Cone::PositiveGaps, out),
         Property::Bound => keep(args, Cone::NonnegativeErrors, out),
         Property::Convergence => converge(args, out),
-        Property::Claims => Err(Error::input("property: `claims`: expected --protocol with it")),
-        Property::Separation => {
-            let folder = args.out.as_deref();
-            separation::run(&args.flight, args.digits, folder, args.format, out)
+        Property::Claims | Property::Separation => {
+            Err(Error::input("property: `claims`: expected --protocol with it"))
         }
     }
 }

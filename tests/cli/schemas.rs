@@ -45,6 +45,7 @@ fn what_commands_print_meets_its_schema() {
         "threshold --property separation --digits 1",
         "separation scenarios/paper.toml",
         "separation scenarios/paper.toml --wind 1/2",
+        "separation scenarios/quick.toml",
         "separation scenarios/paper-unstable.toml",
         "check proofs/certificates/7.2-sharp.json Cargo.toml no-such-file",
         "cosim scenarios/paper.toml --duration 1",

@@ -103,7 +103,7 @@ fn the_gain_is_bracketed_from_both_sides() {
     assert_eq!(brackets, expected);
     let (code, _, err) = run(&["threshold", "--property", "ordering"]);
     assert_eq!(code, 2);
-    assert!(err.contains("--drones <N>"), "{err}");
+    assert!(err.contains("drones: expected --drones N"), "{err}");
 }
 
 /// Starts, weights, gains, integrators, masters and orders drawn from a seed: the smallest gap that

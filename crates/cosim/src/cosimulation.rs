@@ -433,7 +433,10 @@ impl Cosimulation {
         Setup {
             protocol: self.scenario.protocol.name().to_owned(),
             segment,
-            weight: self.scenario.weight.clone(),
+            weight: match self.scenario.own() {
+                Some(own) => own.value("eps").cloned(),
+                None => Some(self.scenario.weight.clone()),
+            },
             period: self.scenario.period,
             tau: self.grid.tau().clone(),
             integrator: self.integrator.name().to_owned(),

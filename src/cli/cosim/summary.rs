@@ -25,7 +25,7 @@ pub fn text(record: &Record, out: &mut dyn Write) -> Result<()> {
             write!(out, " of [{min}, {max}]")?;
         }
         let (rhythm, with) = (s.rhythm(), s.flown_with());
-        writeln!(out, ", N = {}, eps = {}, {rhythm}; {with}", record.count, s.weight)?;
+        writeln!(out, ", N = {}{}, {rhythm}; {with}", record.count, s.weighted())?;
     }
     writeln!(out)?;
     positions(record, out)?;

@@ -331,9 +331,7 @@ mod tests {
         let mut compared = 0;
         for (name, numbers, weight) in files {
             for seed in [None, Some(1), Some(2)] {
-                let start: Vec<String> = (0..numbers)
-                    .map(|i| if i + 1 == numbers { 1 } else { 0 }.to_string())
-                    .collect();
+                let start: Vec<String> = (0..numbers).map(|i| (i % 3).to_string()).collect();
                 let text = format!(
                     "protocol = '{}'\nstart = [{}]\nperiod = 3\n{weight}",
                     file(name),

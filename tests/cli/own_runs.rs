@@ -3,6 +3,7 @@ use std::fs;
 
 use crate::common::run;
 use crate::common::schema::{meets, parsed};
+use crate::common::tools::has_tool;
 
 fn call(line: &str) -> (i32, String, String) {
     let args: Vec<&str> = line.split(' ').collect();
@@ -117,4 +118,41 @@ fn local_machines_and_flights_run_the_file() {
     let refused = call(&format!("export ssp {scenario} --out {page}.ssp"));
     assert_eq!(refused.0, 2);
     assert!(refused.2.contains("expected `coverage`"), "{}", refused.2);
+}
+
+/// What z3 says of an exported script, a word a query.
+fn answers(line: &str) -> Vec<String> {
+    let (code, script, said) = call(line);
+    assert_eq!(code, 0, "{said}");
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("query.smt2");
+    fs::write(&file, script).unwrap();
+    let out = std::process::Command::new("z3").arg(&file).output().unwrap();
+    String::from_utf8(out.stdout).unwrap().lines().map(str::to_owned).collect()
+}
+
+#[test]
+fn solvers_agree_about_the_claims_of_files() {
+    if !has_tool("z3", "SMT tier") {
+        return;
+    }
+    let mut asked = 0;
+    let inductive = ["ring-pulls", "coverage", "leader-chain", "digraph", "coverage-with-losses"];
+    for name in inductive {
+        let found = answers(&format!("export smt2 --protocol scenarios/own/{name}.toml"));
+        assert_eq!(found, ["unsat", "unsat"], "{name}");
+        asked += 1;
+    }
+    for (rest, wanted) in [
+        ("hasty-coverage.toml", ["sat"]),
+        ("hasty-coverage.toml --set eps=1/2", ["unsat"]),
+        ("coverage-with-losses.toml --set eps=3/5", ["sat"]),
+        ("coverage-late.toml", ["unsat"]),
+        ("platoon.toml --steps 3", ["unsat"]),
+    ] {
+        let found = answers(&format!("export smt2 --negate --protocol scenarios/own/{rest}"));
+        assert_eq!(found, wanted, "{rest}");
+        asked += 1;
+    }
+    assert_eq!(asked, 10);
 }

@@ -18,6 +18,7 @@ mod fmu;
 mod foreign;
 mod golden;
 mod messages;
+mod own_runs;
 mod replay;
 mod schemas;
 mod separation;

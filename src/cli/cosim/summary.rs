@@ -27,7 +27,7 @@ pub fn text(record: &Record, known: Option<&Rational>, out: &mut dyn Write) -> R
             write!(out, " of [{min}, {max}]")?;
         }
         let (rhythm, with) = (s.rhythm(), s.flown_with());
-        writeln!(out, ", N = {}, eps = {}, {rhythm}; {with}", record.count, s.weight)?;
+        writeln!(out, ", N = {}{}, {rhythm}; {with}", record.count, s.weighted())?;
     }
     writeln!(out)?;
     positions(record, out)?;

@@ -1,16 +1,18 @@
 //! Steps in which only some drones update (PROTOCOL section 2, activation).
 
 #[cfg(feature = "contracts")]
-#[allow(unused_imports)] // the erased macros swallow each other's attributes
-use creusot_contracts::prelude::{ensures, requires};
+use crate::model::*;
 
 use crate::coverage::{getx, update};
 use crate::{DroneMap, Params, Scalar, State};
 
 /// A protocol step in which drone `i` moves where `active(i)` and keeps its position
 /// otherwise. With every drone active this is `exec_coverage`.
-#[cfg_attr(feature = "contracts", ensures(result.timesteps == s.timesteps))]
-#[cfg_attr(feature = "contracts", ensures(result.drones.as_ref()@.len() == s.drones.as_ref()@.len()))]
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", requires(forall<i: usize> i@ < s.drones.seq().len() ==> active.precondition((i,))))]
+#[cfg_attr(feature = "contracts", ensures(result.timesteps == s.timesteps && result.drones.seq().len() == s.drones.seq().len()))]
+#[cfg_attr(feature = "contracts", ensures(forall<i> 0 <= i && i < s.drones.seq().len() ==> exists<u: usize, b: bool> u@ == i && active.postcondition((u,), b)
+    && positions(result)[i] == if b { next_of(p.model(), positions(*s), i) } else { positions(*s)[i] }))]
 pub fn exec_coverage_active<S: Scalar, M: DroneMap<S>>(
     p: &Params<S>,
     s: &State<M>,

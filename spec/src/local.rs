@@ -6,15 +6,18 @@
 use core::num::NonZeroU32;
 
 #[cfg(feature = "contracts")]
-#[allow(unused_imports)] // the erased macros swallow each other's attributes
-use creusot_contracts::prelude::{ensures, requires};
+use creusot_std::prelude::Clone;
+
+#[cfg(feature = "contracts")]
+use crate::model::*;
 
 use crate::coverage::{exec_cvg, getx};
 use crate::{DroneMap, Params, Scalar, State};
 
 /// The quotient `eps/stepsize` of Listing 6 (period over step size, both in seconds), which
 /// need not be an integer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct TickRatio {
     /// Numerator.
     pub num: u32,
@@ -24,28 +27,35 @@ pub struct TickRatio {
 
 impl TickRatio {
     /// The whole number `num`.
-    #[cfg_attr(feature = "contracts", ensures(result.num == num && result.den@ == 1))]
+    #[cfg_attr(feature = "contracts", trusted, ensures(result.num == num && whole(result.den) == 1))]
     pub fn whole(num: u32) -> Self {
         Self { num, den: NonZeroU32::MIN }
     }
 
+    // Trusted: Creusot has no model of `NonZeroU32`.
+    #[cfg_attr(feature = "contracts", trusted, ensures(result@ == whole(self.den)))]
+    fn denominator(self) -> u32 {
+        self.den.get()
+    }
+
     /// Whether `timesteps >= num/den`, decided on integers.
-    #[cfg_attr(feature = "contracts", ensures(result == (timesteps@ * self.den@ >= self.num@)))]
+    #[cfg_attr(feature = "contracts", ensures(result == (timesteps@ * whole(self.den) >= self.num@)))]
     pub fn reached_by(self, timesteps: u32) -> bool {
-        u64::from(timesteps) * u64::from(self.den.get()) >= u64::from(self.num)
+        u64::from(timesteps) * u64::from(self.denominator()) >= u64::from(self.num)
     }
 
     /// The global counter limit that behaves the same: the quotient rounded up. (Listing 6's
     /// `>=` rounds up where Listing 4's `=` would never fire.)
-    #[cfg_attr(feature = "contracts", ensures(result@ * self.den@ >= self.num@))]
-    #[cfg_attr(feature = "contracts", ensures(result@ > 0 ==> (result@ - 1) * self.den@ < self.num@))]
+    #[cfg_attr(feature = "contracts", ensures(result@ * whole(self.den) >= self.num@))]
+    #[cfg_attr(feature = "contracts", ensures(result@ > 0 ==> (result@ - 1) * whole(self.den) < self.num@))]
     pub fn counter_limit(self) -> u32 {
-        self.num.div_ceil(self.den.get())
+        self.num.div_ceil(self.denominator())
     }
 }
 
 /// What one local machine is told before the run.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct LocalParams<S> {
     /// Ends of the segment, weight, and `n`, which the local form does not read: it counts
     /// against `ratio`.
@@ -58,7 +68,8 @@ pub struct LocalParams<S> {
 
 /// What a drone knows: its own position, those of its neighbours, and its identifier
 /// (Listing 5, `state`).
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct LocalState<S> {
     /// Position of the preceding drone as last received (drone 0 ignores it).
     pub prec: S,
@@ -71,7 +82,8 @@ pub struct LocalState<S> {
 }
 
 /// State of one local machine (Listing 5, `simstate`).
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct SimState<S> {
     /// Ticks since the last update.
     pub timesteps: u32,
@@ -81,14 +93,15 @@ pub struct SimState<S> {
 
 /// [`exec_cvg`] under its name of Listing 6. The paper has two copies of the formula; here
 /// the second name is a call of the first.
+#[cfg_attr(feature = "contracts", requires(exact::<S>() && i@ < p.count@))]
+#[cfg_attr(feature = "contracts", ensures(result.model() == next(p.protocol.model(), p.count@, a.model(), b.model(), c.model(), i@)))]
 pub fn fmu_exec_cvg<S: Scalar>(p: &LocalParams<S>, a: &S, b: &S, c: &S, i: usize) -> S {
     exec_cvg(&p.protocol, p.count, a, b, c, i)
 }
 
 /// One tick of one local machine (Listing 6, `fmu_tick`).
-#[cfg_attr(feature = "contracts", requires(s.st.id@ < p.count@))]
-#[cfg_attr(feature = "contracts", ensures(result.st.id == s.st.id))]
-#[cfg_attr(feature = "contracts", ensures(result.st.prec == s.st.prec && result.st.foll == s.st.foll))]
+#[cfg_attr(feature = "contracts", requires(exact::<S>() && s.st.id@ < p.count@))]
+#[cfg_attr(feature = "contracts", ensures(local_tick(*p, s, result)))]
 pub fn fmu_tick<S: Scalar>(p: &LocalParams<S>, s: SimState<S>) -> SimState<S> {
     if p.ratio.reached_by(s.timesteps) {
         let st = &s.st;
@@ -104,16 +117,24 @@ pub fn fmu_tick<S: Scalar>(p: &LocalParams<S>, s: SimState<S>) -> SimState<S> {
 
 /// `fmu_tick` applied `k` times (Listing 6, `fmu_kth_step`), with the neighbours' positions
 /// staying as they were received.
-#[cfg_attr(feature = "contracts", requires(initial.st.id@ < p.count@))]
+#[cfg_attr(feature = "contracts", requires(exact::<S>() && initial.st.id@ < p.count@))]
 #[cfg_attr(feature = "contracts", ensures(result.st.id == initial.st.id))]
+#[cfg_attr(feature = "contracts", ensures(result.st.prec == initial.st.prec && result.st.foll == initial.st.foll))]
 pub fn fmu_kth_step<S: Scalar>(p: &LocalParams<S>, initial: SimState<S>, k: u64) -> SimState<S> {
-    (0..k).fold(initial, |s, _| fmu_tick(p, s))
+    #[cfg(creusot)]
+    let start = snapshot!(initial);
+    let mut s = initial;
+    #[cfg_attr(creusot, invariant(s.st.id == start.st.id && s.st.prec == start.st.prec && s.st.foll == start.st.foll))]
+    for _ in 0..k {
+        s = fmu_tick(p, s);
+    }
+    s
 }
 
 /// The local machine of drone `i` that agrees with the global state `s`: its projection.
 /// `i` is below N.
-#[cfg_attr(feature = "contracts", requires(i@ < s.drones.as_ref()@.len()))]
-#[cfg_attr(feature = "contracts", ensures(result.timesteps == s.timesteps && result.st.id == i))]
+#[cfg_attr(feature = "contracts", requires(exact::<S>() && i@ < s.drones.seq().len()))]
+#[cfg_attr(feature = "contracts", ensures(knows(result, positions(*s), i@) && result.timesteps == s.timesteps))]
 pub fn project<S: Scalar, M: DroneMap<S>>(p: &Params<S>, s: &State<M>, i: usize) -> SimState<S> {
     let prec = if i > 0 { getx(s, i - 1) } else { &p.min };
     let foll = if i + 1 < s.drones.count() { getx(s, i + 1) } else { &p.max };
@@ -125,8 +146,9 @@ pub fn project<S: Scalar, M: DroneMap<S>>(p: &Params<S>, s: &State<M>, i: usize)
 
 /// Every machine receives its neighbours' present positions: what the co-simulation master
 /// does between two ticks.
-#[cfg_attr(feature = "contracts", ensures(result.as_ref()@.len() == machines.as_ref()@.len()))]
-#[cfg_attr(feature = "contracts", ensures(forall<i: Int> 0 <= i && i < result.as_ref()@.len() ==> result.as_ref()@[i].st.own == machines.as_ref()@[i].st.own))]
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(result.seq().len() == machines.seq().len()))]
+#[cfg_attr(feature = "contracts", ensures(exchanged(machines.seq(), result.seq())))]
 pub fn exchange<S: Scalar, L: DroneMap<SimState<S>>>(machines: &L) -> L {
     let m = machines.as_ref();
     machines.lambda(|i| {
@@ -143,7 +165,17 @@ pub fn exchange<S: Scalar, L: DroneMap<SimState<S>>>(machines: &L) -> L {
 
 /// One tick of all local machines, then one [`exchange`]: the local counterpart of the global
 /// `tick`.
-#[cfg_attr(feature = "contracts", ensures(result.as_ref()@.len() == machines.as_ref()@.len()))]
+#[cfg_attr(feature = "contracts", requires(exact::<S>() && p.count@ == machines.seq().len()))]
+#[cfg_attr(feature = "contracts", requires(forall<i> 0 <= i && i < p.count@ ==> machines.seq()[i].st.id@ == i))]
+#[cfg_attr(feature = "contracts", ensures(refines_tick(*p, machines.seq(), result.seq())))]
 pub fn swarm_tick<S: Scalar, L: DroneMap<SimState<S>>>(p: &LocalParams<S>, machines: &L) -> L {
-    exchange(&machines.lambda(|i| fmu_tick(p, machines.as_ref()[i].clone())))
+    let moved = machines.lambda(|i| fmu_tick(p, machines.as_ref()[i].clone()));
+    #[cfg(creusot)]
+    proof_assert!(forall<i> 0 <= i && i < p.count@ ==> copy_updated(*p, machines.seq()[i], moved.seq()[i]));
+    #[cfg(creusot)]
+    proof_assert!({
+        local_is_global(*p, machines.seq(), moved.seq());
+        moves_on(*p, machines.seq(), moved.seq())
+    });
+    exchange(&moved)
 }

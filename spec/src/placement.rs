@@ -5,34 +5,49 @@
 //! would divide by N-1, the quantity here is the one multiplied by N-1, and its name says so.
 
 #[cfg(feature = "contracts")]
-#[allow(unused_imports)] // the erased macros swallow each other's attributes
-use creusot_contracts::prelude::{ensures, requires};
+use crate::model::*;
 
 use crate::Scalar;
 
 /// The gap `g_i = X_{i+1} - X_i`; `i + 1` is below N.
-#[cfg_attr(feature = "contracts", requires(i@ + 1 < x@.len()))]
+#[cfg_attr(feature = "contracts", requires(exact::<S>() && i@ + 1 < x@.len()))]
+#[cfg_attr(feature = "contracts", ensures(result.model() == x@[i@ + 1].model() - x@[i@].model()))]
 pub fn gap<S: Scalar>(x: &[S], i: usize) -> S {
     x[i + 1].clone() - &x[i]
 }
 
 /// The sum of all positions: the paper's c (definition 7 of its section 7.1).
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(result.model() == total(reals(x@), x@.len())))]
 pub fn sum<S: Scalar>(x: &[S]) -> S {
-    x.iter().fold(S::from_int(0), |c, xi| c + xi)
+    let mut c = S::from_int(0);
+    #[cfg_attr(creusot, invariant(c.model() == total(reals(x@), produced.len()) && produced.len() <= x@.len()))]
+    for xi in x {
+        #[cfg(creusot)]
+        proof_assert!(*xi == x@[produced.len() - 1] && reals(x@)[produced.len() - 1] == xi.model());
+        c = c + xi;
+    }
+    c
 }
 
 /// The last index N-1, as a scalar: the number of gaps.
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(result.model() == int(last_of(x@.len()))))]
 pub fn gaps<S: Scalar>(x: &[S]) -> S {
     S::from_index(x.len().saturating_sub(1))
 }
 
 /// `(N-1) * T_i`: N-1 times the target of drone `i` of `count` (definition 3).
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(result.model() == target(min.model(), max.model(), int(last_of(count@)), int(i@))))]
 pub fn scaled_target<S: Scalar>(min: &S, max: &S, count: usize, i: usize) -> S {
     target_at(min, max, &S::from_index(count.saturating_sub(1)), &S::from_index(i))
 }
 
 /// [`scaled_target`] with the indices `last` = N-1 and `i` as scalars, so that they may be
 /// indeterminates.
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(result.model() == target(min.model(), max.model(), last.model(), i.model())))]
 pub fn target_at<S: Scalar>(min: &S, max: &S, last: &S, i: &S) -> S {
     let length = max.clone() - min;
     last.clone() * min + &(i.clone() * &length)
@@ -40,17 +55,21 @@ pub fn target_at<S: Scalar>(min: &S, max: &S, last: &S, i: &S) -> S {
 
 /// `(N-1) * e_i`: N-1 times the error `e_i = T_i - X_i` of drone `i`; positive while the
 /// drone is before its target.
-#[cfg_attr(feature = "contracts", requires(i@ < x@.len()))]
+#[cfg_attr(feature = "contracts", requires(exact::<S>() && i@ < x@.len()))]
+#[cfg_attr(feature = "contracts", ensures(result.model() == error(min.model(), max.model(), reals(x@), i@)))]
 pub fn scaled_error<S: Scalar>(min: &S, max: &S, x: &[S], i: usize) -> S {
     error_at(min, max, &gaps(x), &S::from_index(i), &x[i])
 }
 
 /// [`scaled_error`] of position `xi`, with the indices `last` = N-1 and `i` as scalars.
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(result.model() == target(min.model(), max.model(), last.model(), i.model()) - last.model() * xi.model()))]
 pub fn error_at<S: Scalar>(min: &S, max: &S, last: &S, i: &S, xi: &S) -> S {
     target_at(min, max, last, i) - &(last.clone() * xi)
 }
 
 /// `(N-1)^2` times the sum of the squared errors: zero exactly at the targets.
+#[cfg_attr(feature = "contracts", trusted)] // without a promise: `fold` has no contract
 pub fn scaled_energy<S: Scalar>(min: &S, max: &S, x: &[S]) -> S {
     (0..x.len()).fold(S::from_int(0), |sum, i| {
         let e = scaled_error(min, max, x, i);
@@ -68,6 +87,8 @@ pub fn contraction_weight(count: usize, i: usize) -> usize {
 }
 
 /// [`contraction_weight`] with the indices `last` = N-1 and `i` as scalars.
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(result.model() == i.model() * (last.model() - i.model())))]
 pub fn contraction_weight_at<S: Scalar>(last: &S, i: &S) -> S {
     i.clone() * &(last.clone() - i)
 }

@@ -3,6 +3,9 @@
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Sub};
 
+#[cfg(feature = "contracts")]
+use crate::model::*;
+
 /// A commutative ring with embedded integers: all that the protocol's update needs.
 ///
 /// Exact rationals, integers, a prime field and polynomials are such rings. Intervals and
@@ -14,17 +17,24 @@ pub trait Scalar:
     + for<'a> Sub<&'a Self, Output = Self>
     + for<'a> Mul<&'a Self, Output = Self>
 {
+    /// The real number that the contracts take this scalar for.
+    #[cfg(feature = "contracts")]
+    #[logic]
+    fn model(self) -> Real;
+
     /// The ring element `1 + ... + 1` (`n` times; negated for `n < 0`).
+    #[cfg_attr(feature = "contracts", ensures(result.model() == int(n@)))]
     fn from_int(n: i32) -> Self;
 
     /// The ring element of an index or a count.
+    #[cfg_attr(feature = "contracts", requires(exact::<Self>()), ensures(result.model() == int(i@)))]
     fn from_index(i: usize) -> Self {
         match i32::try_from(i) {
             Ok(n) => Self::from_int(n),
             // Halving ends: i32 holds every index below 2^31.
             Err(_) => {
-                let half = Self::from_index(i >> 1);
-                half.clone() + &half + &Self::from_int((i & 1) as i32)
+                let half = Self::from_index(i / 2);
+                half.clone() + &half + &Self::from_int((i % 2) as i32)
             }
         }
     }
@@ -34,6 +44,7 @@ pub trait Scalar:
 pub trait Ordered: Scalar {
     /// The order of `self` and `other`, or `None` where it is not known (overlapping
     /// intervals, an overflowed fraction). Total for exact scalars.
+    #[cfg_attr(feature = "contracts", ensures(forall<o> result == Some(o) ==> o == self.model().cmp_log(other.model())))]
     fn compare(&self, other: &Self) -> Option<Ordering>;
 }
 
@@ -42,12 +53,20 @@ pub trait Ordered: Scalar {
 macro_rules! integer_scalar {
     ($($t:ty),*) => {$(
         impl Scalar for $t {
+            #[cfg(feature = "contracts")]
+            #[logic(open)]
+            fn model(self) -> Real {
+                int(View::view(self))
+            }
+
+            #[cfg_attr(feature = "contracts", ensures(result.model() == int(n@)))]
             fn from_int(n: i32) -> Self {
                 <$t>::from(n)
             }
         }
 
         impl Ordered for $t {
+            #[cfg_attr(feature = "contracts", ensures(forall<o> result == Some(o) ==> o == self.model().cmp_log(other.model())))]
             fn compare(&self, other: &Self) -> Option<Ordering> {
                 Some(self.cmp(other))
             }

@@ -1,11 +1,11 @@
 //! Parameters and state of the swarm (Listing 3 and the paper's theory `initial`).
 
 #[cfg(feature = "contracts")]
-#[allow(unused_imports)] // the erased macros swallow each other's attributes
-use creusot_contracts::prelude::{ensures, requires};
+use crate::model::*;
 
 /// What stays the same during a run.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct Params<S> {
     /// Left end of the segment: the place of drone 0, in the unit of the positions.
     pub min: S,
@@ -20,7 +20,8 @@ pub struct Params<S> {
 }
 
 /// What changes from tick to tick: the paper's `systemState`.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct State<M> {
     /// Position of every drone, in the order of their identifiers.
     pub drones: M,
@@ -29,7 +30,8 @@ pub struct State<M> {
 }
 
 /// Where the tick counter starts, hence in which tick the first update falls.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Default)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub enum Phase {
     /// Counter starts at `n`: first update in the first tick (the authors' recorded runs).
     #[default]
@@ -40,7 +42,7 @@ pub enum Phase {
 
 impl<M> State<M> {
     /// The initial state: `drones` in place, the counter as `phase` wants it.
-    #[cfg_attr(feature = "contracts", ensures(result.timesteps@ <= n@))]
+    #[cfg_attr(feature = "contracts", ensures(result.timesteps == match phase { Phase::First => n, Phase::Last => 0u32 }))]
     #[cfg_attr(feature = "contracts", ensures(result.drones == drones))]
     pub fn initial(drones: M, n: u32, phase: Phase) -> Self {
         let timesteps = match phase {
@@ -53,9 +55,9 @@ impl<M> State<M> {
     /// One tick of any protocol: `protocol` moves the drones when the counter has reached `n`,
     /// otherwise only the counter moves (Listing 4, `tick`, with the protocol left open as in
     /// Listing 2).
-    #[cfg_attr(feature = "contracts", requires(self.timesteps@ <= n@))]
+    #[cfg_attr(feature = "contracts", requires(self.timesteps@ <= n@ && protocol.precondition((&self.drones,))))]
     #[cfg_attr(feature = "contracts", ensures(result.timesteps@ <= n@))]
-    #[cfg_attr(feature = "contracts", ensures(self.timesteps == n ==> result.timesteps@ == 0))]
+    #[cfg_attr(feature = "contracts", ensures(self.timesteps == n ==> result.timesteps@ == 0 && protocol.postcondition_once((&self.drones,), result.drones)))]
     #[cfg_attr(feature = "contracts", ensures(self.timesteps@ < n@ ==> result.timesteps@ == self.timesteps@ + 1 && result.drones == self.drones))]
     pub fn tick_with(self, n: u32, protocol: impl FnOnce(&M) -> M) -> Self {
         if self.timesteps == n {

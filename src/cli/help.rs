@@ -13,7 +13,7 @@ pub fn command() -> Command {
 }
 
 /// Examples and limits, by the words of the command.
-const EXAMPLES: [(&str, &str); 22] = [
+const EXAMPLES: [(&str, &str); 23] = [
     (
         "trace",
         "Examples:
@@ -47,6 +47,14 @@ Limits: 3 to 100,000,000 drones, 1,000,000,000,000 drone updates.",
   cordon cosim scenarios/paper.toml --format csv | head
 
 Limits: 67,108,864 positions in one run, 10,000,000,000 steps, FMUs of 100,000 files and 1 GiB unpacked.",
+    ),
+    (
+        "separation",
+        "Examples:
+  cordon separation scenarios/paper.toml
+  cordon separation scenarios/paper.toml --wind 1/4 --integrator exact
+
+Limits: coverage without faults or FMUs; certificates of desired positions for up to 198 drones.",
     ),
     (
         "figures",
@@ -108,8 +116,10 @@ Limits: files of 4 MiB, numbers of 2,100 characters. Exit codes: 0 all valid, 2 
     ),
     (
         "threshold",
-        "Example:
+        "Examples:
   cordon threshold --property convergence --drones 5 --digits 20
+  cordon threshold --property separation --lambda-a 4 --tau 0.05
+  cordon threshold --protocol scenarios/own/hasty-coverage.toml
 
 Limits: 3 to 1,000 drones, 1,000 decimal places; of convergence both together as far as the independent \
 checker's bound on its work allows (1,000 drones with 400 places, 300 with 1,000). Certificates of the safe side of \

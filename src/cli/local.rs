@@ -14,6 +14,7 @@ use super::trace::MAX_DIGITS;
 use cordon_core::exact;
 use cordon_core::{Error, Evidence, Outcome, Result};
 use cordon_run::projection::{self, Pair, Setup};
+use cordon_run::scenario::Scenario;
 
 /// Arguments of `cordon local`.
 #[derive(clap::Args, Debug)]
@@ -66,14 +67,14 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let different = pairs.iter().find_map(|p| p.difference().map(|i| (p, i)));
     match args.format {
         OutputFormat::Text => {
-            text(&pairs, digits, out)?;
-            writeln!(out, "\n{}", verdict(&pairs, different))?;
+            text(&scenario, &pairs, digits, out)?;
+            writeln!(out, "\n{}", verdict(&scenario, &pairs, different))?;
         }
         OutputFormat::Json => {
             let difference = different.map(|(p, i)| {
                 json!({
                     "tick": p.tick,
-                    "drone": i,
+                    "drone": i * scenario.count() / p.local.len().max(1),
                     "local": p.local.get(i).map(exact::fraction),
                     "global": p.global.get(i).map(exact::fraction),
                 })
@@ -105,25 +106,30 @@ fn ratio(text: &str) -> Result<TickRatio> {
     }
 }
 
-fn text(pairs: &[Pair], digits: usize, out: &mut dyn Write) -> Result<()> {
-    let count = pairs.first().map_or(0, |p| p.local.len());
+fn text(scenario: &Scenario, pairs: &[Pair], digits: usize, out: &mut dyn Write) -> Result<()> {
+    let columns = scenario.columns();
     let mut head = vec!["tick".to_owned()];
-    head.extend(table::names(count));
+    head.extend(columns.iter().cloned());
     head.push("global".to_owned());
     let lines = pairs.iter().map(|p| {
         let mut cells = vec![p.tick.to_string()];
         cells.extend(p.local.iter().map(|x| exact::decimal_string(x, digits)));
-        cells.push(p.difference().map_or("equal".to_owned(), |i| format!("differs at x{i}")));
+        cells.push(p.difference().map_or("equal".to_owned(), |i| {
+            format!("differs at {}", columns.get(i).map_or("?", String::as_str))
+        }));
         cells
     });
     table::stream(&head, None, lines, out)
 }
 
-fn verdict(pairs: &[Pair], different: Option<(&Pair, usize)>) -> String {
-    let machines = pairs.first().map_or(0, |p| p.local.len());
+fn verdict(scenario: &Scenario, pairs: &[Pair], different: Option<(&Pair, usize)>) -> String {
+    let machines = scenario.count();
     match different.and_then(|(p, i)| Some((p.tick, i, p.local.get(i)?, p.global.get(i)?))) {
         Some((tick, i, local, global)) => {
-            format!("first difference at tick {tick}, drone {i}: local {local}, global {global}")
+            let drone = i * machines / scenario.start.len().max(1);
+            format!(
+                "first difference at tick {tick}, drone {drone}: local {local}, global {global}"
+            )
         }
         None => {
             let ticks = pairs.len().saturating_sub(1);

@@ -20,6 +20,7 @@ pub mod refute;
 mod replay;
 pub mod scenario_args;
 pub mod select;
+mod separation;
 mod settle;
 mod setup;
 mod swarm;
@@ -59,6 +60,8 @@ pub enum Command {
     Swarm(swarm::Args),
     /// Fly the scenario: plant, controller and coordination of every drone, co-simulated
     Cosim(Box<cosim::Args>),
+    /// Certify how close two drones ever come in flight, between the samples too
+    Separation(Box<separation::Args>),
     /// Draw the paper's figures 8 to 12, 15 and 16 from runs made now
     Figures(figures::Args),
     /// Write a run as one HTML page to look at: play, pause, scrub, collisions marked
@@ -106,6 +109,7 @@ impl Cli {
             Command::Local(args) => local::run(&args, out),
             Command::Swarm(args) => swarm::run(&args, out),
             Command::Cosim(args) => cosim::run(&args, out),
+            Command::Separation(args) => separation::run(&args, out),
             Command::Figures(args) => figures::run(&args, out),
             Command::Replay(args) => replay::run(&args, out),
             Command::Fmu(args) => fmu::run(&args, out),

@@ -19,7 +19,8 @@ pub struct ScenarioArgs {
     /// Number of drones, 3 to 1000000 [default: the length of the start]
     #[arg(long, value_name = "N", help_heading = "Scenario")]
     pub drones: Option<usize>,
-    /// Start: positions separated by commas (0,10,20,30,100), fractions and decimals allowed
+    /// Start: positions separated by commas (0,10,20,30,100), fractions and decimals allowed; of a
+    /// protocol file's state variables drone by drone (x0,v0,x1,v1,...)
     #[arg(long, value_name = "X,...", allow_hyphen_values = true, help_heading = "Scenario")]
     pub start: Option<String>,
     /// Start: drone i at min + i*(TO - min)/(N-1), the last drone at max
@@ -40,9 +41,13 @@ pub struct ScenarioArgs {
     /// Weight of the neighbours in the update: a fraction or a decimal, read exactly (0.2 is 1/5)
     #[arg(long, value_name = "E", allow_hyphen_values = true, help_heading = "Scenario")]
     pub eps: Option<String>,
-    /// coverage, consensus or formation [default: coverage]
-    #[arg(long, value_name = "NAME", help_heading = "Scenario")]
+    /// coverage, consensus, formation, or a protocol file (.toml, see `scenarios/own/`) [default:
+    /// coverage]
+    #[arg(long, value_name = "NAME|FILE", help_heading = "Scenario")]
     pub protocol: Option<String>,
+    /// Value of a protocol file's parameter: `eps=1/3`
+    #[arg(long, value_name = "NAME=X", allow_hyphen_values = true, help_heading = "Scenario")]
+    pub set: Vec<String>,
     /// Graph of consensus and formation: path, ring or complete [default: path]
     #[arg(long, value_name = "NAME", help_heading = "Scenario")]
     pub graph: Option<String>,
@@ -63,7 +68,15 @@ impl ScenarioArgs {
     /// # Errors
     /// The file cannot be read or a field is wrong.
     pub fn scenario(&self) -> Result<Scenario> {
-        let (scenario, flight, places) = self.scenario_and_flight()?;
+        self.drawn(None)
+    }
+
+    /// The checked scenario; a seed draws what its protocol file leaves open in each step.
+    ///
+    /// # Errors
+    /// The file cannot be read or a field is wrong.
+    pub fn drawn(&self, seed: Option<u64>) -> Result<Scenario> {
+        let (scenario, flight, places) = self.read(seed)?;
         if flight.faults.is_empty() {
             return Ok(scenario);
         }
@@ -77,15 +90,25 @@ impl ScenarioArgs {
     /// # Errors
     /// The file cannot be read or a field is wrong.
     pub fn scenario_and_flight(&self) -> Result<(Scenario, Flight, Places)> {
+        self.read(None)
+    }
+
+    fn read(&self, seed: Option<u64>) -> Result<(Scenario, Flight, Places)> {
         let file = match &self.file {
             Some(path) if into_cps::is_multi_model(path) => into_cps::read(path)?,
             Some(path) => scenario::read(path)?,
             None => Draft::default(),
         };
-        let flags = self.draft()?;
+        let flags = Draft { choices: seed, ..self.draft()? };
         let draft = file.replaced_by(flags);
         let (flight, places) = (draft.flight.clone(), draft.places.clone());
-        Ok((draft.finish()?, flight, places))
+        let scenario = draft.finish()?;
+        if let Some(own) = scenario.own() {
+            if let Some(choices) = own.choices() {
+                eprintln!("{}: {choices}", own.file);
+            }
+        }
+        Ok((scenario, flight, places))
     }
 
     /// Names the file in an error about what it says.
@@ -119,6 +142,7 @@ impl ScenarioArgs {
             phase: self.phase.as_deref().map(phase).transpose()?,
             tau: number("tau", &self.tau)?,
             graph: self.graph.clone(),
+            parameters: self.set.iter().map(|set| parameter(set)).collect::<Result<_>>()?,
             ..Draft::default()
         })
     }
@@ -130,6 +154,14 @@ impl ScenarioArgs {
 /// An entry that is no number.
 pub(super) fn positions(list: &str) -> Result<Vec<Rational>> {
     range::list(|i| format!("start: drone {i}"), list)
+}
+
+/// A parameter and its value, like `eps=1/3`.
+fn parameter(set: &str) -> Result<(String, Rational)> {
+    let (name, value) = set.split_once('=').ok_or_else(|| {
+        Error::input(format!("set: `{set}`: expected a parameter and its value, like `eps=1/3`"))
+    })?;
+    Ok((name.to_owned(), exact::parse(&format!("set: {name}"), value)?))
 }
 
 fn phase(text: &str) -> Result<Phase> {

@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 
 use super::own_protocol;
 use super::select::OutputFormat;
+use super::separation::threshold::{self as separation, LoopArgs};
 use cordon_core::exact::{decimal_string, fraction, in_short};
 use cordon_core::system::System;
 use cordon_core::{Error, Evidence, Outcome, Rational, Result, progress};
@@ -28,17 +29,14 @@ pub struct Args {
     /// With --protocol: the parameter whose critical value is wanted [default: the only one with a range]
     #[arg(long, value_name = "NAME", requires = "protocol", help_heading = "Own protocol")]
     parameter: Option<String>,
-    /// Number of drones, 3 to 1000
-    #[arg(
-        long,
-        value_name = "N",
-        required_unless_present = "protocol",
-        conflicts_with = "protocol"
-    )]
+    /// Number of drones, 3 to 1000; separation is the same for all numbers
+    #[arg(long, value_name = "N", conflicts_with = "protocol")]
     drones: Option<usize>,
-    /// Decimal places of the bracket, 1 to 1000 [default: 10, with --protocol 4]
+    /// Decimal places of the bracket, 1 to 1000 [default: 10, with --protocol 4; separation: 1 to 4, 2]
     #[arg(long, value_name = "D")]
     digits: Option<usize>,
+    #[command(flatten)]
+    flight: LoopArgs,
     /// Folder for the certificates of both sides
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -57,6 +55,8 @@ enum Property {
     Convergence,
     /// The claims of a protocol file
     Claims,
+    /// Drones in flight keep the smallest gap: the critical gain lambda_P
+    Separation,
 }
 
 impl Property {
@@ -66,6 +66,7 @@ impl Property {
             Self::Bound => "bound",
             Self::Convergence => "convergence",
             Self::Claims => "claims",
+            Self::Separation => "separation",
         }
     }
 }
@@ -81,12 +82,21 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if let Some((_, system)) = args.own.system()? {
         return own(args, &system, out);
     }
+    if args.property() == Property::Separation {
+        let folder = args.out.as_deref();
+        return separation::run(&args.flight, args.digits, folder, args.format, out);
+    }
+    if args.drones.is_none() {
+        return Err(Error::input("drones: expected --drones N, a number from 3 to 1000"));
+    }
     check_size(args.drones(), args.digits())?;
     match args.property() {
         Property::Ordering => keep(args, Cone::PositiveGaps, out),
         Property::Bound => keep(args, Cone::NonnegativeErrors, out),
         Property::Convergence => converge(args, out),
-        Property::Claims => Err(Error::input("property: `claims`: expected --protocol with it")),
+        Property::Claims | Property::Separation => {
+            Err(Error::input("property: `claims`: expected --protocol with it"))
+        }
     }
 }
 

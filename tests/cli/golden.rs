@@ -118,5 +118,5 @@ fn traces_of_the_shipped_scenarios_are_golden() {
         assert_eq!(out, expected, "{name}");
         compared += 1;
     }
-    assert_eq!(compared, 7);
+    assert_eq!(compared, 8);
 }

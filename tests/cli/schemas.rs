@@ -3,7 +3,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use crate::common::run;
-use crate::common::schema::{meets, parsed, path_of};
+use crate::common::schema::{Schema, meets, parsed, path_of};
 
 #[test]
 fn what_commands_print_meets_its_schema() {
@@ -42,6 +42,11 @@ fn what_commands_print_meets_its_schema() {
         "theorems",
         "threshold --property ordering --drones 5",
         "threshold --property convergence --drones 5",
+        "threshold --property separation --digits 1",
+        "separation scenarios/paper.toml",
+        "separation scenarios/paper.toml --wind 1/2",
+        "separation scenarios/quick.toml",
+        "separation scenarios/paper-unstable.toml",
         "check proofs/certificates/7.2-sharp.json Cargo.toml no-such-file",
         "cosim scenarios/paper.toml --duration 1",
         "cosim scenarios/paper-unstable.toml --duration 15",
@@ -56,7 +61,7 @@ fn what_commands_print_meets_its_schema() {
     }
     formats.sort();
     formats.dedup();
-    assert_eq!(formats.len(), 14, "{formats:?}");
+    assert_eq!(formats.len(), 15, "{formats:?}");
 }
 
 fn first_own_protocol() -> String {
@@ -105,18 +110,22 @@ fn records_of_the_repository_meet_their_schemas() {
     }
 }
 
+/// Editors that know the schema of protocol files accept those that are here, and notice a slip.
 #[test]
 fn protocol_files_meet_their_schema() {
+    let schema = Schema::of("cordon-protocol/1");
     let mut files = 0;
-    for path in fs::read_dir("scenarios/own").unwrap().map(|e| e.unwrap().path()) {
-        if path.extension().is_some_and(|e| e == "toml") {
-            let page: toml::Value = toml::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
-            let page = serde_json::to_value(page).unwrap();
-            meets("cordon-protocol/1", &page, &path.display().to_string());
+    for file in fs::read_dir("scenarios/own").unwrap().map(|e| e.unwrap().path()) {
+        if file.extension().is_some_and(|e| e == "toml") {
+            let mut page: serde_json::Value =
+                toml::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
+            schema.accepts(&page).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
+            page["rulez"] = serde_json::json!({});
+            assert!(schema.accepts(&page).is_err());
             files += 1;
         }
     }
-    assert!(files >= 5, "{files}");
+    assert!(files >= 18, "{files}");
 }
 
 /// Of every kind, by whichever command wrote it; and what is no certificate meets no schema.
@@ -130,6 +139,9 @@ fn certificates_meet_their_schema() {
         "threshold --property bound --drones 5",
         "prove 7.8 --form paper",
         "prove --protocol scenarios/own/weighted-coverage.toml",
+        "prove --protocol scenarios/own/ring-pulls.toml",
+        "prove --protocol scenarios/own/digraph.toml",
+        "prove --protocol scenarios/own/digraph.toml --set eps=2",
     ] {
         run(&args.split(' ').chain(["--out", &out]).collect::<Vec<_>>());
     }
@@ -172,14 +184,13 @@ fn certificates_meet_their_schema() {
 fn every_schema_is_read_by_a_test() {
     let files = fs::read_dir("schemas").unwrap();
     let names: Vec<_> = files.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
-    // 14 that are printed, 3 that are written, 2 records, certificates, the state of an FMU
-    // (fmu.rs), 3 of `cargo xtask` (xtask/tests/schemas.rs), protocol files; and the page about
-    // them.
-    assert_eq!(names.len(), 14 + 3 + 2 + 1 + 1 + 3 + 1 + 1, "{names:?}");
+    // 15 that are printed, 3 that are written, 2 records, certificates, the state of an FMU
+    // (fmu.rs), 3 of `cargo xtask` (xtask/tests/schemas.rs), protocol files; and the page about them.
+    assert_eq!(names.len(), 15 + 3 + 2 + 1 + 1 + 3 + 1 + 1, "{names:?}");
     for name in names.iter().filter(|n| n.ends_with(".json")) {
         let schema = parsed(&fs::read_to_string(format!("schemas/{name}")).unwrap());
         assert_eq!(path_of(schema["title"].as_str().unwrap()), PathBuf::from("schemas").join(name));
-        let about = schema["description"].as_str().unwrap();
-        assert!(about.contains("Written by `") || about.contains("Read by `"), "{name}");
+        let said = schema["description"].as_str().unwrap();
+        assert!(said.contains("Written by `") || said.contains("Read by `"), "{name}");
     }
 }

@@ -6,14 +6,15 @@ use std::path::PathBuf;
 use boon::{Compiler, Draft, SchemaIndex, Schemas};
 use serde_json::{Value, json};
 
-struct Schema {
+/// A schema, compiled.
+pub struct Schema {
     schemas: Schemas,
     index: SchemaIndex,
 }
 
 impl Schema {
     /// The schema of a format like `cordon-trace/1`.
-    fn of(format: &str) -> Self {
+    pub fn of(format: &str) -> Self {
         let path = path_of(format);
         let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
         let mut schemas = Schemas::new();
@@ -25,7 +26,8 @@ impl Schema {
         Self { schemas, index }
     }
 
-    fn accepts(&self, page: &Value) -> Result<(), String> {
+    /// Whether a page meets it; what is wrong, if not.
+    pub fn accepts(&self, page: &Value) -> Result<(), String> {
         self.schemas.validate(page, self.index).map_err(|e| e.to_string())
     }
 }

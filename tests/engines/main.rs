@@ -16,6 +16,7 @@ mod own_protocol;
 mod parsers;
 mod prove;
 mod refute;
+mod separation;
 mod settle;
 mod swarm;
 mod threshold;

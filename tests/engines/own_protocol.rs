@@ -33,7 +33,9 @@ fn examples_are_proved_with_valid_certificates_or_refuted() {
     let proved = [
         "consensus",
         "coverage",
+        "coverage-buffered",
         "coverage-late",
+        "coverage-that-waits",
         "coverage-with-losses",
         "damped-pair",
         "digraph",
@@ -137,7 +139,14 @@ fn every_number_of_agents_is_proved_where_the_classes_allow_it() {
     let folder = tempfile::tempdir().unwrap();
     let dir = folder.path().to_str().unwrap();
     let mut accepted = 0;
-    for name in ["coverage", "consensus", "leader-chain", "ring-consensus", "ring-pulls"] {
+    for name in [
+        "coverage",
+        "consensus",
+        "leader-chain",
+        "ring-consensus",
+        "ring-pulls",
+        "coverage-buffered",
+    ] {
         let file = format!("scenarios/own/{name}.toml");
         let (code, out, err) = run(&["prove", "--protocol", &file, "--out", dir]);
         assert_eq!((code, err.as_str()), (0, ""), "{out}");
@@ -147,7 +156,7 @@ fn every_number_of_agents_is_proved_where_the_classes_allow_it() {
         assert_eq!(code, 0, "{out}");
         accepted += 1;
     }
-    assert_eq!(accepted, 5);
+    assert_eq!(accepted, 6);
     // Too large a weight is proved for no number.
     let wrong = ["prove", "--protocol", "scenarios/own/coverage.toml", "--set", "eps=0..3/5"];
     let (code, out, _) = run(&wrong);

@@ -4,15 +4,23 @@
 /// change, so that a seed means the same draws for ever.
 pub struct SplitMix(u64);
 
+/// What a draw adds to the state: the golden ratio's fraction, odd.
+const STEP: u64 = 0x9e37_79b9_7f4a_7c15;
+
 impl SplitMix {
     /// The generator with this seed.
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }
 
+    /// The generator with this seed, after so many draws.
+    pub fn after(seed: u64, draws: u64) -> Self {
+        Self(seed.wrapping_add(draws.wrapping_mul(STEP)))
+    }
+
     /// 64 bits, each value equally likely.
     pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        self.0 = self.0.wrapping_add(STEP);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -40,5 +48,6 @@ mod tests {
             found,
             [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]
         );
+        assert_eq!(SplitMix::after(1_234_567, 2).bits(), found[2]);
     }
 }

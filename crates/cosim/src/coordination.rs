@@ -5,6 +5,7 @@
 //! projection theorem); the double for the controller is rounded once, at the output.
 
 mod machine;
+pub(super) mod own;
 mod table;
 
 use cordon_spec::Phase;
@@ -18,6 +19,7 @@ use super::unit::{
 };
 use cordon_core::exact::{self, Rational};
 
+pub use self::own::OwnLaw;
 pub use self::table::Slot;
 
 /// How positions travel from coordination unit to coordination unit.
@@ -62,6 +64,14 @@ impl Exchange {
                 exact::parse("position", &text).ok().map(|r| Quotient::from(&r))
             }
             _ => None,
+        }
+    }
+
+    /// A number as it travels to others.
+    fn send(self, x: &Quotient) -> Value {
+        match self {
+            Self::Exact => Value::Exact(x.clone()),
+            Self::Double | Self::SixDigits => Value::Real(self.round(x)),
         }
     }
 
@@ -110,6 +120,9 @@ pub enum Law {
         /// Sum of the wanted displacements from the neighbours, in m.
         displacement: Rational,
     },
+    /// A protocol file's rule for this drone. Inputs `heard_j` and, of other variables than the
+    /// position, `heard_j_v`.
+    Own(Box<OwnLaw>),
 }
 
 /// Everything that a coordination unit is told before the run.
@@ -259,7 +272,7 @@ impl Coordination {
                     *displacement = sum;
                 }
             }
-            Slot::Heard(_) | Slot::Desired | Slot::Own => {
+            Slot::Heard(_) | Slot::Desired | Slot::Own | Slot::Beside(_) => {
                 return Err(not_settable(self, variable));
             }
         }
@@ -317,6 +330,9 @@ impl Unit for Coordination {
             Some(Slot::Heard(i)) => self.heard.get(*i).cloned(),
             Some(Slot::Desired) => Some(Value::Real(self.x_d)),
             Some(Slot::Own) => Some(Value::Exact(self.own.clone())),
+            Some(Slot::Beside(v)) => {
+                self.machine.beside(*v).map(|x| self.settings.exchange.send(x))
+            }
             Some(slot) => self.parameter(*slot),
             None => None,
         };
@@ -376,17 +392,24 @@ impl Unit for Coordination {
 
 impl Resumable for Coordination {
     fn memory(&self) -> Vec<Value> {
-        vec![
+        let mut memory = vec![
             Value::Exact(self.own.clone()),
             Value::Integer(self.machine.counter().into()),
             Value::Boolean(self.missed),
-        ]
+        ];
+        memory.extend(self.machine.besides());
+        memory
     }
 
     fn recall(&mut self, memory: &[Value]) -> Result<(), UnitError> {
-        let [Value::Exact(own), Value::Integer(counter), Value::Boolean(missed)] = memory else {
+        let [Value::Exact(own), Value::Integer(counter), Value::Boolean(missed), besides @ ..] =
+            memory
+        else {
             return Err(no_memory(self));
         };
+        if !self.machine.recall_besides(besides) {
+            return Err(no_memory(self));
+        }
         match u32::try_from(*counter) {
             Ok(counter) if counter < self.settings.period => {
                 self.machine.resume(own.clone(), counter);

@@ -1,5 +1,6 @@
 //! A swarm at the user's level, turned into 3 N units and their connections.
 
+use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::Arc;
 
@@ -7,7 +8,8 @@ use cordon_spec::graph::Graph;
 use num_traits::Signed;
 
 use super::control::{self, Control, Gains};
-use super::coordination::{Coordination, Exchange, Law, OnLoss, Settings, Slot};
+use super::coordination::own;
+use super::coordination::{Coordination, Exchange, Law, OnLoss, OwnLaw, Settings, Slot};
 use super::faults;
 use super::grid::Grid;
 use super::master::{Algorithm, Master};
@@ -128,7 +130,14 @@ impl Cosimulation {
             )));
         }
         let count = scenario.count();
-        let start = flight.start.unwrap_or_else(|| scenario.start.clone());
+        if let Some(own) = scenario.own() {
+            own::refuse_what_cannot_fly(own)?;
+        }
+        let positions = || match scenario.own() {
+            None => scenario.start.clone(),
+            Some(own) => (0..count).map(|i| own::position(own, &scenario.start, i)).collect(),
+        };
+        let start = flight.start.unwrap_or_else(positions);
         if start.len() != count {
             return Err(Error::input(format!(
                 "flight.start: {} positions given: expected one for each of the {count} drones",
@@ -233,11 +242,17 @@ impl Cosimulation {
                 neighbours: self.neighbours(drone),
                 displacement: displacement.get(drone).cloned().unwrap_or_default(),
             },
+            Protocol::Own(own) => Law::Own(Box::new(OwnLaw::of(own, &self.scenario.start, drone))),
         };
+        let start = match &law {
+            Law::Own(law) => law.start.get(law.position),
+            _ => self.scenario.start.get(drone),
+        };
+        let start = start.cloned().unwrap_or_default();
         Settings {
             law,
             weight: self.scenario.weight.clone(),
-            start: self.scenario.start.get(drone).cloned().unwrap_or_default(),
+            start,
             period: self.scenario.period,
             phase: self.scenario.phase,
             exchange,
@@ -292,15 +307,29 @@ impl Cosimulation {
             Protocol::Consensus { graph } | Protocol::Formation { graph, .. } => {
                 graph.neighbourhood(drone).filter(|&j| graph.linked(drone, j)).collect()
             }
+            Protocol::Own(own) => {
+                let heard = OwnLaw::of(own, &self.scenario.start, drone).heard;
+                heard.iter().map(|(j, _)| *j).collect::<BTreeSet<_>>().into_iter().collect()
+            }
         }
     }
 
-    /// The input at which a drone hears its `k`-th neighbour `j`.
-    fn input(&self, drone: usize, k: usize, j: usize) -> Slot {
-        match &self.scenario.protocol {
-            Protocol::Coverage { .. } => Slot::Heard(usize::from(j > drone)),
-            _ => Slot::Heard(k),
-        }
+    /// What a drone hears: of whom, the output that is sent, and the input that receives it.
+    fn heard(&self, drone: usize, position: Slot) -> Vec<(usize, Slot, Slot)> {
+        let hears = |(k, j): (usize, usize)| {
+            let input = match &self.scenario.protocol {
+                Protocol::Coverage { .. } => Slot::Heard(usize::from(j > drone)),
+                _ => Slot::Heard(k),
+            };
+            (j, position, input)
+        };
+        let Protocol::Own(own) = &self.scenario.protocol else {
+            return self.neighbours(drone).into_iter().enumerate().map(hears).collect();
+        };
+        let law = OwnLaw::of(own, &self.scenario.start, drone);
+        let sent = |v| if v == law.position { position } else { Slot::Beside(v) };
+        let heard = law.heard.iter().enumerate();
+        heard.map(|(k, &(j, v))| (j, sent(v), Slot::Heard(k))).collect()
     }
 
     /// Units and connections; every unit is at its [`Seat`].
@@ -356,9 +385,8 @@ impl Cosimulation {
             .and_then(|u| u.place(Slot::Own))
             .map_or(Slot::Desired, |_| Slot::Own);
         for i in 0..count {
-            let neighbours = self.neighbours(i);
-            for (k, &j) in neighbours.iter().enumerate() {
-                let (from, to) = (port(j, sent)?, port(i, self.input(i, k, j))?);
+            for (j, output, input) in self.heard(i, sent) {
+                let (from, to) = (port(j, output)?, port(i, input)?);
                 // Positions are exchanged all at once, whatever the master, unless an order is said.
                 let timing = match &self.order {
                     Some(order) if before(order, j, i) => Timing::Ordered,
@@ -405,7 +433,10 @@ impl Cosimulation {
         Setup {
             protocol: self.scenario.protocol.name().to_owned(),
             segment,
-            weight: self.scenario.weight.clone(),
+            weight: match self.scenario.own() {
+                Some(own) => own.value("eps").cloned(),
+                None => Some(self.scenario.weight.clone()),
+            },
             period: self.scenario.period,
             tau: self.grid.tau().clone(),
             integrator: self.integrator.name().to_owned(),

@@ -29,12 +29,12 @@ pub struct Record {
 /// What a run was made with, in words and exact numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Setup {
-    /// `coverage`, `consensus` or `formation`.
+    /// `coverage`, `consensus`, `formation` or a protocol file.
     pub protocol: String,
     /// Ends of the segment in m, for coverage.
     pub segment: Option<(Rational, Rational)>,
-    /// Weight eps of the neighbours, dimensionless.
-    pub weight: Rational,
+    /// Weight eps of the neighbours, dimensionless; `None` of a protocol file without one.
+    pub weight: Option<Rational>,
     /// Ticks from update to update.
     pub period: u32,
     /// Communication step in s.
@@ -85,6 +85,11 @@ impl Setup {
             }
         }
         text
+    }
+
+    /// The weight in words, after a comma: `, eps = 1/5`.
+    pub fn weighted(&self) -> String {
+        self.weight.as_ref().map_or_else(String::new, |weight| format!(", eps = {weight}"))
     }
 
     /// How often drones update, in words.

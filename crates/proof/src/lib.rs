@@ -7,6 +7,7 @@ pub mod counterexample;
 pub mod export;
 pub mod prove;
 pub mod refute;
+pub mod separation;
 pub mod settle;
 mod start_sets;
 pub mod sweep;

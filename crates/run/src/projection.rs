@@ -5,11 +5,15 @@
 //! forms of the spec side by side and reports the first difference; exchanging less often, or
 //! counting against another quotient, shows what the theorem's conditions are for.
 
+mod own;
+
 use cordon_spec::coverage::tick;
 use cordon_spec::local::{LocalParams, SimState, TickRatio, exchange, fmu_tick, project};
 use cordon_spec::{DroneMap, Params, Phase, State};
 
-use crate::scenario::Scenario;
+use self::own::Machines;
+use crate::scenario::{Own, Scenario};
+use crate::simulate;
 use cordon_core::{Error, Rational, Result, progress};
 
 /// How the local machines are run.
@@ -29,14 +33,14 @@ pub struct Setup {
 pub struct Pair {
     /// Ticks made since the start.
     pub tick: u64,
-    /// Positions of the local machines.
+    /// Positions of the local machines; of a protocol file all state variables.
     pub local: Vec<Rational>,
     /// Positions of the global protocol.
     pub global: Vec<Rational>,
 }
 
 impl Pair {
-    /// The first drone whose two positions differ.
+    /// The first drone whose two positions differ; of a protocol file the first state variable.
     pub fn difference(&self) -> Option<usize> {
         self.local.iter().zip(&self.global).position(|(a, b)| a != b)
     }
@@ -45,17 +49,20 @@ impl Pair {
 /// Runs both forms for the given number of ticks.
 ///
 /// # Errors
-/// The protocol is not coverage, or machines are never to exchange.
+/// The protocol is neither coverage nor a protocol file, or machines are never to exchange.
 pub fn run(scenario: &Scenario, setup: Setup) -> Result<Vec<Pair>> {
-    let Some(params) = scenario.params() else {
-        return Err(Error::input(format!(
-            "protocol: `{}`: expected `coverage`, the protocol that has a local form",
-            scenario.protocol.name()
-        )));
-    };
     if setup.exchange_every == 0 {
         return Err(Error::input("exchange-every: `0`: expected 1 or more ticks"));
     }
+    if let Some(own) = scenario.own() {
+        return Ok(run_own(scenario, own, setup));
+    }
+    let Some(params) = scenario.params() else {
+        return Err(Error::input(format!(
+            "protocol: `{}`: expected `coverage` or a protocol file, which have a local form",
+            scenario.protocol.name()
+        )));
+    };
     let local_params = LocalParams {
         count: scenario.count(),
         ratio: setup.ratio.unwrap_or(TickRatio::whole(params.n)),
@@ -75,6 +82,26 @@ pub fn run(scenario: &Scenario, setup: Setup) -> Result<Vec<Pair>> {
         progress::advance(1);
     }
     Ok(pairs)
+}
+
+fn run_own(scenario: &Scenario, own: &Own, setup: Setup) -> Vec<Pair> {
+    let ratio = setup.ratio.unwrap_or(TickRatio::whole(scenario.counter_limit()));
+    let mut machines = Machines::new(scenario, own, ratio, setup.ticks);
+    progress::expect(setup.ticks);
+    let mut pairs = Vec::new();
+    for (t, snapshot) in (0..=setup.ticks).zip(simulate::run(scenario)) {
+        if t > 0 {
+            machines.tick();
+            if t.is_multiple_of(setup.exchange_every) {
+                machines.exchange();
+            }
+            progress::advance(1);
+        }
+        let mut global = snapshot.state.drones;
+        global.truncate(scenario.start.len());
+        pairs.push(Pair { tick: t, local: machines.own(), global });
+    }
+    pairs
 }
 
 /// The machines that agree with the global start, their counters where the phase puts them.

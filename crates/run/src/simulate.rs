@@ -15,7 +15,7 @@ pub struct Snapshot {
     pub tick: u64,
     /// Protocol steps so far.
     pub step: u64,
-    /// Placement and tick counter.
+    /// Placement (of an own protocol the whole state) and tick counter.
     pub state: State<Vec<Rational>>,
 }
 
@@ -40,17 +40,16 @@ impl Iterator for Run<'_> {
         self.next = Some(Snapshot {
             tick: now.tick.checked_add(1)?,
             step: now.step + u64::from(fires),
-            state: now
-                .state
-                .clone()
-                .tick_with(self.scenario.counter_limit(), |x| step(self.scenario, x.clone())),
+            state: now.state.clone().tick_with(self.scenario.counter_limit(), |x| {
+                step(self.scenario, now.step + 1, x.clone())
+            }),
         });
         Some(now)
     }
 }
 
-/// One protocol step of the scenario.
-pub fn step(scenario: &Scenario, x: Vec<Rational>) -> Vec<Rational> {
+/// Protocol step `k >= 1` of the scenario, on the [whole](Scenario::whole_start) state.
+pub fn step(scenario: &Scenario, k: u64, x: Vec<Rational>) -> Vec<Rational> {
     let eps = &scenario.weight;
     match &scenario.protocol {
         Protocol::Coverage { min, max } => {
@@ -59,5 +58,6 @@ pub fn step(scenario: &Scenario, x: Vec<Rational>) -> Vec<Rational> {
         }
         Protocol::Consensus { graph } => exec_consensus(eps, graph, &x),
         Protocol::Formation { graph, displacement } => exec_formation(eps, graph, &x, displacement),
+        Protocol::Own(own) => own.map(k).apply(&x),
     }
 }

@@ -1,9 +1,5 @@
 //! Theorem 7.5: the sum of the positions never decreases, and stays at the targets.
 
-#[cfg(feature = "contracts")]
-#[allow(unused_imports)] // the erased macros swallow each other's attributes
-use creusot_contracts::prelude::{ensures, requires};
-
 use super::Setting;
 use super::hypothesis::at_targets;
 use super::verdict::{Subject, Verdict, at_most, equal};
@@ -35,7 +31,6 @@ pub(super) fn stationary<S: Ordered, M: AsRef<[S]>>(
 /// `(c^{k+1} - c^k) - eps*(g_{N-2}^k - g_0^k)`: zero for every weight and every start with the
 /// end drones in place (the telescoping identity behind 7.5; needs no order, so it can be
 /// evaluated in any ring). Placements of N >= 2 drones, `after` one protocol step past `before`.
-#[cfg_attr(feature = "contracts", requires(before@.len() >= 2 && after@.len() == before@.len()))]
 pub fn telescoping_residual<S: Scalar>(eps: &S, before: &[S], after: &[S]) -> S {
     let last = before.len() - 2;
     let ends = gap(before, last) - &gap(before, 0);

@@ -10,6 +10,7 @@ use crate::cli::choice::{Choice, choice};
 use crate::cli::fmu::HOST;
 use crate::cli::progress;
 use crate::cli::scenario_args::ScenarioArgs;
+use crate::cli::separation;
 use cordon_core::text::Printable;
 use cordon_core::{Error, Outcome, Result};
 use cordon_core::{exact, files};
@@ -201,7 +202,8 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         false => None,
     };
     let mut about = Vec::new();
-    summary::text(&record, &mut about)?;
+    let known = if ended.is_ok() { separation::known_gap(&swarm) } else { None };
+    summary::text(&record, known.as_ref(), &mut about)?;
     if let Some(d) = &difference {
         writeln!(about, "\n{d}")?;
     }

@@ -3,7 +3,8 @@
 use std::io::Write;
 
 use crate::cli::table;
-use cordon_core::{Evidence, Result};
+use cordon_core::exact::fraction;
+use cordon_core::{Evidence, Rational, Result};
 use cordon_cosim::collision::{Event, EventKind};
 use cordon_cosim::record::Record;
 
@@ -13,11 +14,12 @@ const ROWS: usize = 10;
 /// Events that are listed; the rest is counted.
 const LISTED: usize = 12;
 
-/// Writes a table of desired and actual positions and the events.
+/// Writes a table of desired and actual positions, the events and the smallest gap, beside what is
+/// known of it.
 ///
 /// # Errors
 /// `out` cannot be written.
-pub fn text(record: &Record, out: &mut dyn Write) -> Result<()> {
+pub fn text(record: &Record, known: Option<&Rational>, out: &mut dyn Write) -> Result<()> {
     writeln!(out, "{}", record.title)?;
     if let Some(s) = &record.setup {
         write!(out, "{}", s.protocol)?;
@@ -25,11 +27,12 @@ pub fn text(record: &Record, out: &mut dyn Write) -> Result<()> {
             write!(out, " of [{min}, {max}]")?;
         }
         let (rhythm, with) = (s.rhythm(), s.flown_with());
-        writeln!(out, ", N = {}, eps = {}, {rhythm}; {with}", record.count, s.weight)?;
+        writeln!(out, ", N = {}{}, {rhythm}; {with}", record.count, s.weighted())?;
     }
     writeln!(out)?;
     positions(record, out)?;
     events(record, out)?;
+    smallest_gap(record, known, out)?;
     if let Some(why) = &record.broken_off {
         writeln!(out, "\nthe run broke off: {why}")?;
     }
@@ -85,6 +88,24 @@ fn events(record: &Record, out: &mut dyn Write) -> Result<()> {
     if events.len() > LISTED {
         writeln!(out, "and {} more", events.len() - LISTED)?;
     }
+    Ok(())
+}
+
+/// The smallest gap of neighbours at the grid points.
+fn smallest_gap(record: &Record, known: Option<&Rational>, out: &mut dyn Write) -> Result<()> {
+    let at = |row: usize| {
+        let gaps = record.actual_at(row).windows(2).map(|x| x[1] - x[0]).enumerate();
+        gaps.map(move |(i, gap)| (gap, i, row))
+    };
+    let least = (0..record.rows()).flat_map(at).min_by(|a, b| a.0.total_cmp(&b.0));
+    let Some((gap, i, row)) = least.filter(|_| record.events.is_some()) else { return Ok(()) };
+    let time = record.times.get(row).copied().unwrap_or_default();
+    let only = Evidence::ThisRunOnly;
+    write!(out, "smallest gap {gap:.4} m, of drones {i} and {} at {time:.2} s ({only})", i + 1)?;
+    if let Some(known) = known {
+        write!(out, "; never below {} m: see `cordon separation`", fraction(known))?;
+    }
+    writeln!(out)?;
     Ok(())
 }
 

@@ -5,15 +5,18 @@ use std::path::PathBuf;
 
 use cordon_spec::theorems::Form;
 
+use super::super::own_protocol::ProtocolArgs;
 use super::super::select::FormArg;
 
 use cordon_core::files::{self, Limit};
+use cordon_core::system::System;
 use cordon_core::{Error, Outcome, Result, progress, range};
 use cordon_proof::export::conjecture::Conjecture;
 use cordon_proof::export::smt_model::{Model, Replay, Response, read_answer, replay};
 use cordon_proof::export::smt2::{
     MAX_DRONES, MIN_DRONES, Obligation, Query, WeightDomain, has_beyond, obligations,
 };
+use cordon_proof::export::system;
 
 /// Arguments of `cordon export smt2`.
 #[derive(clap::Args, Debug)]
@@ -26,6 +29,8 @@ pub struct Args {
     /// Which claims: numbers like 7.2 or 7.4ii, `mirror`, `box`, separated by commas [default: all]
     #[arg(value_name = "THEOREMS")]
     pub claims: Option<String>,
+    #[command(flatten)]
+    pub own: ProtocolArgs,
     /// Number of drones, or an inclusive range like 3..6, from 3 to 9
     #[arg(long, value_name = "N", default_value = "3..6")]
     pub drones: String,
@@ -51,11 +56,34 @@ pub struct Args {
 
 /// Exports, or replays an answer.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    if let Some((_, system)) = args.own.system()? {
+        let text = own(args, &system)?;
+        return write(args, &text, out);
+    }
     let queries = queries(args)?;
     if let Some(path) = &args.answer {
         return answer(&queries, path, out);
     }
-    let text = script(&queries);
+    write(args, &script(&queries), out)
+}
+
+/// The claims of a protocol file.
+fn own(args: &Args, system: &System) -> Result<String> {
+    let foreign = [
+        ("theorems", args.claims.is_some()),
+        ("--eps-range", args.eps_range.is_some()),
+        ("--answer", args.answer.is_some()),
+    ];
+    if let Some((flag, _)) = foreign.iter().find(|(_, given)| *given) {
+        return Err(Error::input(format!("{flag}: expected none together with --protocol")));
+    }
+    match args.negate {
+        true => Ok(system::search(system, args.steps.into())),
+        false => system::induction(system),
+    }
+}
+
+fn write(args: &Args, text: &str, out: &mut dyn Write) -> Result<Outcome> {
     match &args.out {
         Some(path) => files::write_atomically(path, text.as_bytes())?,
         None => out.write_all(text.as_bytes())?,

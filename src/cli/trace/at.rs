@@ -7,15 +7,15 @@ use serde_json::json;
 use crate::cli::table;
 use cordon_core::{Error, Outcome, Result};
 use cordon_run::fast::verify::{self, Verification};
-use cordon_run::fast::{Answer, Engine, Rule, digits, engine};
+use cordon_run::fast::{Answer, Engine, Motion, Rule, digits, engine};
 use cordon_run::scenario::Scenario;
-use cordon_run::trace::Row;
+use cordon_run::trace::{Row, shown};
 
 /// The flags of `cordon trace` that jump to chosen steps.
 #[derive(clap::Args, Clone, Debug, Default)]
 pub struct AtArgs {
-    /// Only these protocol steps, in this order, without the steps between (coverage, and
-    /// consensus on the path)
+    /// Only these protocol steps, in this order, without the steps between (coverage, consensus
+    /// on the path, and protocol files)
     #[arg(
         long,
         value_name = "K,...",
@@ -38,9 +38,6 @@ pub struct AtArgs {
         help_heading = "Chosen steps"
     )]
     pub verify: Option<u8>,
-    /// Seed of the random primes [default: a fresh one, printed]
-    #[arg(long, value_name = "SEED", requires = "verify", help_heading = "Chosen steps")]
-    pub seed: Option<u64>,
 }
 
 /// The engines that a user can choose.
@@ -87,12 +84,11 @@ pub enum Shape {
 pub type Exact = (Vec<Row>, Option<Verification>);
 
 /// The rows of the chosen steps, exact; `None` where only digits are wanted.
-pub fn exact(scenario: &Scenario, args: &AtArgs) -> Result<Option<Exact>> {
+pub fn exact(scenario: &Scenario, args: &AtArgs, seed: Option<u64>) -> Result<Option<Exact>> {
     let Some(chosen) = args.engine.exact() else { return Ok(None) };
-    let rule = Rule::of(scenario)?;
-    let line = rule.line(&scenario.start)?;
-    let answers = engine::positions(&line, &args.at, chosen)?;
-    let check = |primes| cross_check(&rule, scenario, &answers, primes, args.seed);
+    let last = args.at.iter().copied().max().unwrap_or(0);
+    let answers = Motion::of(scenario, last)?.positions(&args.at, chosen)?;
+    let check = |primes| cross_check(scenario, &answers, primes, seed);
     let verified = args.verify.map(check).transpose()?;
     let rows = answers.into_iter().map(|answer| row(scenario, answer)).collect::<Result<_>>()?;
     Ok(Some((rows, verified)))
@@ -100,7 +96,7 @@ pub fn exact(scenario: &Scenario, args: &AtArgs) -> Result<Option<Exact>> {
 
 fn row(scenario: &Scenario, answer: Answer) -> Result<Row> {
     let (tick, timesteps) = tick_of(scenario, answer.k)?;
-    Ok(Row { tick, step: answer.k, timesteps, positions: answer.into() })
+    Ok(Row { tick, step: answer.k, timesteps, positions: shown(scenario, answer) })
 }
 
 /// The tick of a step, and the tick counter after it.
@@ -119,14 +115,19 @@ fn tick_of(scenario: &Scenario, k: u64) -> Result<(u64, u32)> {
 
 /// Compares with the spec and says so on stderr.
 fn cross_check(
-    rule: &Rule<cordon_core::Rational>,
     scenario: &Scenario,
     answers: &[Answer],
     primes: u8,
     seed: Option<u64>,
 ) -> Result<Verification> {
     let seed = seed.unwrap_or_else(verify::fresh_seed);
-    let found = verify::verify(rule, &scenario.start, answers, primes.into(), seed)?;
+    let found = verify::verify(
+        &Rule::of(scenario)?,
+        &scenario.whole_start(),
+        answers,
+        primes.into(),
+        seed,
+    )?;
     eprint!("{}", report(&found));
     Ok(found)
 }
@@ -163,7 +164,7 @@ pub fn certain(
              checked",
         ));
     }
-    let line = Rule::of(scenario)?.line(&scenario.start)?;
+    let line = Motion::of(scenario, 0)?.into_line("engine: `digits`")?;
     let found = digits::at(&line, &args.at, places, engine::multiplier())?;
     let decimals = |d: &digits::Digits| -> Vec<String> {
         d.positions.iter().map(|p| p.decimal.clone()).collect()
@@ -183,7 +184,7 @@ pub fn certain(
             writeln!(out, "{page:#}")?;
         }
         Shape::Csv => {
-            let head: Vec<_> = (0..scenario.count()).map(|i| format!("x{i}_decimal")).collect();
+            let head: Vec<_> = scenario.columns().iter().map(|x| format!("{x}_decimal")).collect();
             writeln!(out, "step,{}", head.join(","))?;
             for d in &found {
                 writeln!(out, "{},{}", d.k, decimals(d).join(","))?;
@@ -191,7 +192,7 @@ pub fn certain(
         }
         Shape::Table => {
             let mut head = vec![String::from("step")];
-            head.extend(table::names(scenario.count()));
+            head.extend(scenario.columns());
             let line = |d: &digits::Digits| [vec![d.k.to_string()], decimals(d)].concat();
             table::stream(&head, None, found.iter().map(line), out)?;
             writeln!(out, "\n({EVIDENCE})")?;

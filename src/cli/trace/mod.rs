@@ -13,8 +13,10 @@ use at::{AtArgs, Shape};
 use cordon_core::theorems;
 use cordon_core::{Error, Outcome, Result};
 use cordon_run::fast::verify::Verification;
-use cordon_run::scenario::Scenario;
-use cordon_run::trace::{Checked, Counted, Row, Selection, applicable, check, select};
+use cordon_run::scenario::{Own, Scenario};
+use cordon_run::trace::{
+    Checked, CheckedClaim, Counted, Row, Selection, applicable, check, check_claims, select,
+};
 use show::Numbers;
 
 /// Arguments of `cordon trace`.
@@ -37,7 +39,8 @@ pub struct Args {
     /// Distance from row to row
     #[arg(long, value_name = "K", default_value_t = 1)]
     every: u64,
-    /// Theorems to check at every step: numbers like 7.2,7.3 or `all`
+    /// Theorems to check at every step: numbers like 7.2,7.3 or `all`; of a protocol file its
+    /// claims: `all`, or 1 for the first
     #[arg(long, value_name = "NUMBERS")]
     check: Option<String>,
     /// Form of the checked theorems
@@ -55,6 +58,11 @@ pub struct Args {
     /// Draw a small plot below the table
     #[arg(long)]
     plot: bool,
+    /// Draws what a protocol file leaves open in each step: lost and late messages, skipped
+    /// updates, modes [default: none is lost, late or skipped; the first mode]; with `--verify` the
+    /// random primes [default: fresh ones, printed]
+    #[arg(long, value_name = "SEED")]
+    seed: Option<u64>,
     #[command(flatten)]
     at: AtArgs,
 }
@@ -97,7 +105,7 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             "check: expected together with the formats `table` and `json` only",
         ));
     }
-    let scenario = args.scenario.scenario()?;
+    let scenario = args.seeded()?;
     if !args.at.at.is_empty() {
         return chosen_steps(args, &scenario, out);
     }
@@ -113,9 +121,14 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     }
     let form: Form = args.form.into();
     let mut foreign = Vec::new();
+    let (_, last_step) = unit.tick_and_step(&scenario, selection.last());
+    let claims = match (&args.check, scenario.own()) {
+        (Some(list), Some(_)) => check_claims(&scenario, claims(list)?.as_deref(), last_step)?,
+        _ => Vec::new(),
+    };
     let checks = match &args.check {
+        Some(_) if scenario.own().is_some() => Vec::new(),
         Some(list) => {
-            let (_, last_step) = unit.tick_and_step(&scenario, selection.last());
             let named = theorems::named(list)?;
             let named = match list.trim() {
                 "all" => {
@@ -135,13 +148,28 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             plotted.push(row.clone());
         }
     };
-    let found = Checks { along: &checks, verified: None };
+    let found = Checks { along: &checks, claims: &claims, verified: None };
     print(args, &scenario, &mut rows.inspect(keep), Some(selection), found, out)?;
     not_applicable(args, &foreign, out)?;
     if args.plot {
         show::plot(unit, &plotted, out)?;
     }
-    Ok(checks.iter().fold(Outcome::Holds, |worst, c| worst.worst(c.outcome())))
+    let outcomes = checks.iter().map(Checked::outcome);
+    let outcomes = outcomes.chain(claims.iter().map(CheckedClaim::outcome));
+    Ok(outcomes.fold(Outcome::Holds, Outcome::worst))
+}
+
+/// The numbers of claims; `None` for all.
+fn claims(list: &str) -> Result<Option<Vec<usize>>> {
+    if list.trim() == "all" {
+        return Ok(None);
+    }
+    let number = |text: &str| {
+        text.trim().parse::<usize>().map_err(|_| {
+            Error::input(format!("check: `{text}`: expected `all` or numbers of the file's claims"))
+        })
+    };
+    list.split(',').map(number).collect::<Result<_>>().map(Some)
 }
 
 /// Says which theorems are about other starts: below the table, or on stderr.
@@ -164,10 +192,32 @@ fn not_applicable(
 }
 
 impl Args {
+    /// The scenario; the seed draws the choices that a protocol file leaves.
+    fn seeded(&self) -> Result<Scenario> {
+        if self.seed.is_none() {
+            return self.scenario.scenario();
+        }
+        // A seed of random primes alone leaves the run as it is.
+        let drawn = self.scenario.drawn(self.seed);
+        if self.at.verify.is_some() && !drawn.as_ref().is_ok_and(has_choices) {
+            return self.scenario.scenario();
+        }
+        match drawn {
+            Ok(scenario) if !has_choices(&scenario) => Err(Error::input(
+                "seed: expected together with `--verify`, or with a protocol file that leaves choices",
+            )),
+            drawn => drawn,
+        }
+    }
+
     /// Decimal places.
     fn places(&self) -> usize {
         self.digits.unwrap_or(4)
     }
+}
+
+fn has_choices(scenario: &Scenario) -> bool {
+    scenario.own().is_some_and(Own::has_choices)
 }
 
 /// What was checked of a trace.
@@ -175,6 +225,8 @@ impl Args {
 struct Checks<'c> {
     /// Theorems, along the run.
     along: &'c [Checked],
+    /// Claims of a protocol file, along the run.
+    claims: &'c [CheckedClaim],
     /// The positions, against the plain spec.
     verified: Option<&'c Verification>,
 }
@@ -192,7 +244,7 @@ fn print(
     match args.format {
         Format::Table => {
             let numbers = numbers.unwrap_or(Numbers::Decimal);
-            show::table(scenario, rows, checks.along, numbers, digits, selection, out)
+            show::table(scenario, rows, checks, numbers, digits, selection, out)
         }
         Format::Csv => show::csv(scenario, rows, numbers.unwrap_or(Numbers::Both), digits, out),
         Format::Json => show::json(scenario, rows, checks, digits, out),
@@ -202,9 +254,9 @@ fn print(
 
 /// `--at`: the chosen steps only.
 fn chosen_steps(args: &Args, scenario: &Scenario, out: &mut dyn Write) -> Result<Outcome> {
-    if let Some((rows, verified)) = at::exact(scenario, &args.at)? {
+    if let Some((rows, verified)) = at::exact(scenario, &args.at, args.seed)? {
         let (rows, verified) = (&mut rows.into_iter(), verified.as_ref());
-        print(args, scenario, rows, None, Checks { along: &[], verified }, out)?;
+        print(args, scenario, rows, None, Checks { along: &[], claims: &[], verified }, out)?;
         let disagrees = verified.is_some_and(|v| v.disagreement.is_some());
         return Ok(if disagrees { Outcome::Refuted } else { Outcome::Holds });
     }

@@ -5,6 +5,7 @@ pub mod affine;
 pub mod definite;
 pub mod enclosure;
 pub mod feasible;
+pub mod matrix;
 pub mod perron;
 pub mod rows;
 pub mod simplest;

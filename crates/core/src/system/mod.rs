@@ -68,6 +68,12 @@ impl Parameter {
         (self.low == self.high).then_some(&self.low)
     }
 
+    /// Of a choice, what is chosen where nothing departs from the rules: the high end (the link
+    /// works, the agent acts), but for `late..` (the message is so old) the low one.
+    pub fn usual(&self) -> &Rational {
+        if self.name.starts_with("late") { &self.low } else { &self.high }
+    }
+
     /// The ends of the range, once where they are equal.
     pub fn ends(&self) -> Vec<Rational> {
         match self.fixed() {

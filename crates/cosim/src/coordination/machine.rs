@@ -6,8 +6,10 @@ use cordon_spec::graph::Graph;
 use cordon_spec::local::{LocalParams, LocalState, SimState, TickRatio, fmu_tick};
 use cordon_spec::{Params, Phase, Scalar, State};
 
+use super::own::OwnMachine;
 use super::{Law, Settings};
 use crate::quotient::Quotient;
+use crate::unit::Value;
 
 /// The state machine of one drone.
 #[derive(Clone, Debug)]
@@ -17,6 +19,8 @@ pub(super) enum Machine {
     /// Equations 6 and 8, seen from one drone: the drone itself is number 0, its neighbours
     /// follow, linked with it alone.
     Star(Box<Star>, State<Vec<Quotient>>),
+    /// A protocol file's rule.
+    Own(Box<OwnMachine>),
 }
 
 #[derive(Clone, Debug)]
@@ -80,6 +84,10 @@ impl Machine {
             Law::Formation { neighbours, displacement } => {
                 star(neighbours.len(), Some(Quotient::from(displacement)))
             }
+            Law::Own(law) => {
+                let machine = OwnMachine::new(law, own, counter_limit, settings.phase);
+                Self::Own(Box::new(machine))
+            }
         }
     }
 
@@ -88,6 +96,7 @@ impl Machine {
         match self {
             Self::Local(params, s) => params.ratio.reached_by(s.timesteps),
             Self::Star(star, s) => s.timesteps == star.counter_limit,
+            Self::Own(own) => own.fires(),
         }
     }
 
@@ -113,6 +122,31 @@ impl Machine {
                 });
                 s.drones.first().cloned()
             }
+            Self::Own(own) => own.tick(&heard),
+        }
+    }
+
+    /// Of a protocol file's machine the value of another variable than the position.
+    pub(super) fn beside(&self, variable: usize) -> Option<&Quotient> {
+        match self {
+            Self::Own(own) => own.state.get(variable),
+            Self::Local(..) | Self::Star(..) => None,
+        }
+    }
+
+    /// What a machine remembers beside position and counter.
+    pub(super) fn besides(&self) -> Vec<Value> {
+        match self {
+            Self::Own(own) => own.memory(),
+            Self::Local(..) | Self::Star(..) => Vec::new(),
+        }
+    }
+
+    /// Takes up what it remembered; whether it could.
+    pub(super) fn recall_besides(&mut self, memory: &[Value]) -> bool {
+        match self {
+            Self::Own(own) => own.recall(memory),
+            Self::Local(..) | Self::Star(..) => memory.is_empty(),
         }
     }
 
@@ -125,6 +159,7 @@ impl Machine {
                     *place = own;
                 }
             }
+            Self::Own(machine) => machine.put_back(own),
         }
     }
 
@@ -133,6 +168,7 @@ impl Machine {
         match self {
             Self::Local(_, s) => s.timesteps,
             Self::Star(_, s) => s.timesteps,
+            Self::Own(own) => own.counter,
         }
     }
 
@@ -142,6 +178,7 @@ impl Machine {
         match self {
             Self::Local(_, s) => s.timesteps = counter,
             Self::Star(_, s) => s.timesteps = counter,
+            Self::Own(own) => own.counter = counter,
         }
     }
 }

@@ -19,6 +19,9 @@ pub enum Slot {
     Desired,
     /// Output `own`: the desired position, exact. Where positions travel exactly.
     Own,
+    /// Output: another state variable of a protocol file than the position, as it travels to the
+    /// other drones.
+    Beside(usize),
     /// Parameter `id`: the drone's place in the line, from 0.
     Id,
     /// Parameter `count`: the number of drones N.
@@ -48,6 +51,14 @@ pub(super) fn starts(settings: &Settings) -> Vec<Value> {
     let count = match &settings.law {
         Law::Coverage { .. } => 2,
         Law::Consensus { neighbours } | Law::Formation { neighbours, .. } => neighbours.len(),
+        Law::Own(law) => {
+            let send = |x: &Rational| settings.exchange.send(&Quotient::from(x));
+            return law
+                .heard
+                .iter()
+                .map(|(_, v)| law.start.get(*v).map_or_else(|| send(&settings.start), send))
+                .collect();
+        }
     };
     let start = match settings.exchange {
         Exchange::Exact => Value::Exact(Quotient::from(&settings.start)),
@@ -85,10 +96,15 @@ fn inputs(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
         Law::Consensus { neighbours } | Law::Formation { neighbours, .. } => {
             neighbours.iter().map(|j| format!("heard_{j}")).collect()
         }
+        Law::Own(law) => law.heard.iter().map(|(j, v)| law.input(*j, *v)).collect(),
     };
     for (i, (name, start)) in names.into_iter().zip(starts(settings)).enumerate() {
-        let text = "desired position of a neighbour";
-        let input = Variable::new(name, Dimension::METRE, Causality::Input, start, text);
+        let is_position = settings.law.hears_position(i);
+        let (dimension, text) = match is_position {
+            true => (Dimension::METRE, "desired position of a neighbour"),
+            false => (Dimension::NONE, "state variable of a neighbour"),
+        };
+        let input = Variable::new(name, dimension, Causality::Input, start, text);
         rows.push((Slot::Heard(i), input));
     }
 }
@@ -102,6 +118,15 @@ fn outputs(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
     if settings.exchange == Exchange::Exact {
         let own = Value::Exact(Quotient::from(&settings.start));
         output(Slot::Own, "own", own, "desired position, exact");
+    }
+    let Law::Own(law) = &settings.law else { return };
+    for (v, (name, start)) in law.variables.iter().zip(&law.start).enumerate() {
+        if v != law.position {
+            let start = settings.exchange.send(&Quotient::from(start));
+            let (none, text) = (Dimension::NONE, "state variable, as it travels to other drones");
+            let name = format!("own_{name}");
+            rows.push((Slot::Beside(v), Variable::new(name, none, Causality::Output, start, text)));
+        }
     }
 }
 
@@ -124,10 +149,13 @@ fn parameters(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
             let text = "sum of the wanted displacements from the neighbours";
             parameter(Slot::Displacement, "displacement", metre, exact(displacement), text);
         }
-        Law::Consensus { .. } => {}
+        Law::Consensus { .. } | Law::Own(_) => {}
     }
     let s = settings;
-    parameter(Slot::Weight, "weight", none, exact(&s.weight), "weight eps of the neighbours");
+    // A protocol file's weights are in its rule.
+    if !matches!(s.law, Law::Own(_)) {
+        parameter(Slot::Weight, "weight", none, exact(&s.weight), "weight eps of the neighbours");
+    }
     parameter(Slot::Start, "start", metre, exact(&s.start), "desired position at the start");
     let period = Value::Integer(s.period.into());
     parameter(Slot::Period, "period", none, period, "communication steps from update to update");

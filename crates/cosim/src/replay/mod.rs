@@ -106,10 +106,10 @@ fn looked_for(record: &Record) -> Vec<Event> {
 fn setup(record: &Record, every: usize) -> String {
     let mut text = match &record.setup {
         Some(s) => format!(
-            "{}, {} drones, eps = {}, {}; {}",
+            "{}, {} drones{}, {}; {}",
             s.protocol,
             record.count,
-            s.weight,
+            s.weighted(),
             s.rhythm(),
             s.flown_with()
         ),

@@ -53,7 +53,8 @@ struct Companion {
 struct SetupPage {
     protocol: String,
     segment: Option<(String, String)>,
-    weight: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    weight: Option<String>,
     period: u32,
     tau: String,
     integrator: String,
@@ -157,7 +158,7 @@ fn setup_page(s: &Setup) -> SetupPage {
     SetupPage {
         protocol: s.protocol.clone(),
         segment: s.segment.as_ref().map(|(min, max)| (min.to_string(), max.to_string())),
-        weight: s.weight.to_string(),
+        weight: s.weight.as_ref().map(ToString::to_string),
         period: s.period,
         tau: s.tau.to_string(),
         integrator: s.integrator.clone(),
@@ -232,7 +233,7 @@ fn setup(s: SetupPage) -> Result<Setup> {
     };
     Ok(Setup {
         segment,
-        weight: exact::parse("weight", &s.weight)?,
+        weight: s.weight.map(|w| exact::parse("weight", &w)).transpose()?,
         tau: exact::parse("tau", &s.tau)?,
         protocol: s.protocol,
         period: s.period,

@@ -10,4 +10,5 @@ mod decision;
 pub mod pvs;
 pub mod smt2;
 pub mod smt_model;
+pub mod system;
 mod term;

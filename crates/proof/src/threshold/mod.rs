@@ -4,6 +4,7 @@
 pub mod convergence;
 pub mod invariance;
 pub mod safety;
+pub mod separation;
 
 use cordon_core::{Error, Result};
 

@@ -9,6 +9,7 @@ use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
 use cordon_core::stencil::Stencil;
+use cordon_core::system::Map;
 use cordon_core::{Error, Rational, Result};
 
 /// What a drone beyond the end of the line would look like to the drone at the end.
@@ -107,6 +108,52 @@ impl Line {
         let whole = |w: &Rational| w.numer() * (&den / w.denom());
         let rest = vec![Rational::zero(); start.len()];
         Ok(Self::assemble(Ends::Free, whole(side), whole(centre), den.clone(), &rest, start))
+    }
+
+    /// The line that a map is, if it is one: every inner drone's row is the same symmetric rule
+    /// whose weights sum to 1, and the end drones stay or are beside their own mirror image.
+    pub fn of_map(map: &Map, start: &[Rational]) -> Option<Self> {
+        let count = start.len();
+        if count < 3 || map.rows.len() != count {
+            return None;
+        }
+        let entry = |i: usize, j: usize| {
+            let (_, row) = map.rows.get(i)?;
+            Some(row.iter().find(|(c, _)| *c == j).map_or_else(Rational::zero, |(_, a)| a.clone()))
+        };
+        let (side, centre) = (entry(1, 0)?, entry(1, 1)?);
+        let is = |i: usize, wanted: &[(usize, &Rational)], constant: &Rational| {
+            let wanted = wanted.iter().filter(|(_, a)| !a.is_zero());
+            map.rows.get(i).is_some_and(|(b, row)| {
+                b == constant && row.iter().map(|(j, a)| (*j, a)).eq(wanted.copied())
+            })
+        };
+        let none = Rational::zero();
+        let symmetric =
+            (1..count - 1).all(|i| is(i, &[(i - 1, &side), (i, &centre), (i + 1, &side)], &none));
+        if !symmetric || &side + &side + &centre != Rational::one() {
+            return None;
+        }
+        let stays = |i: usize| {
+            let at = start.get(i).unwrap_or(&none);
+            is(i, &[(i, &Rational::one())], &none) || is(i, &[], at)
+        };
+        let (last, own) = (count - 1, &centre + &side);
+        let mirrored = is(0, &[(0, &own), (1, &side)], &none)
+            && is(last, &[(last - 1, &side), (last, &own)], &none);
+        let (ends, rest) = match (stays(0) && stays(last), mirrored) {
+            (true, _) => {
+                let gaps = Rational::from_index(last);
+                let (min, max) = (start.first()?, start.last()?);
+                let rest = (0..count).map(|i| scaled_target(min, max, count, i) / &gaps);
+                (Ends::Fixed, rest.collect())
+            }
+            (false, true) => (Ends::Free, vec![none.clone(); count]),
+            (false, false) => return None,
+        };
+        let den = side.denom().lcm(centre.denom());
+        let whole = |w: &Rational| w.numer() * (&den / w.denom());
+        Some(Self::assemble(ends, whole(&side), whole(&centre), den.clone(), &rest, start))
     }
 
     fn assemble(

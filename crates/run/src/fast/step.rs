@@ -1,8 +1,6 @@
 //! The stepping engine: every protocol step, on integers over the common denominator Q^k.
 //!
-//! No gcd, no allocation and no branch on a value in the loop. The numbers of all drones lie
-//! in two flat buffers in two's complement, as long as the last step needs; a step works on
-//! as many limbs as its own numbers may have.
+//! No gcd, no allocation and no branch on a value in the loop ([`Numbers`]).
 
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
@@ -30,13 +28,13 @@ pub fn at(line: &Line, steps: &[u64]) -> Result<Vec<Answer>> {
 }
 
 /// A weight: sign and magnitude.
-struct Weight {
-    magnitude: Vec<u64>,
-    negative: bool,
+pub(super) struct Weight {
+    pub magnitude: Vec<u64>,
+    pub negative: bool,
 }
 
 impl Weight {
-    fn of(w: &BigInt) -> Self {
+    pub fn of(w: &BigInt) -> Self {
         Self { magnitude: w.magnitude().to_u64_digits(), negative: w.is_negative() }
     }
 
@@ -59,40 +57,19 @@ pub struct Run {
     side: Weight,
     centre: Weight,
     den: Weight,
-    growth: Growth,
-    start_bits: u64,
-    /// Limbs from one drone's number to the next.
-    stride: usize,
-    /// Limbs in use.
-    width: usize,
-    now: Vec<u64>,
-    next: Vec<u64>,
+    numbers: Numbers,
 }
 
 impl Run {
     /// The run of a line, which may be advanced to step `last` and no further.
     pub fn new(line: Line, last: u64) -> Self {
         let start: Vec<BigInt> = line.start().collect();
-        let growth = Growth::of(&line.growth());
-        // One bit for the sign.
-        let start_bits = longest(&start) + 1;
-        let stride = limbs_for(growth.bits(last) + start_bits);
-        let width = limbs_for(growth.bits(0) + start_bits);
-        let mut now = vec![0; stride * start.len()];
-        for (row, x) in now.chunks_exact_mut(stride).zip(&start) {
-            limbs::write(&mut row[..width], x);
-        }
         Self {
             k: 0,
             side: Weight::of(&line.side),
             centre: Weight::of(&line.centre),
             den: Weight::of(&line.den),
-            growth,
-            start_bits,
-            stride,
-            width,
-            next: now.clone(),
-            now,
+            numbers: Numbers::new(&start, Growth::of(&line.growth()), last),
             line,
         }
     }
@@ -108,12 +85,13 @@ impl Run {
     /// One protocol step of every drone.
     fn step(&mut self) {
         self.k += 1;
-        self.widen(limbs_for(self.growth.bits(self.k) + self.start_bits).min(self.stride));
-        let (stride, width) = (self.stride, self.width);
-        let row = |i: usize| &self.now[i * stride..i * stride + width];
-        let last = self.now.len() / stride - 1;
+        self.numbers.widen(self.k);
+        let Numbers { stride, width, now, next, .. } = &mut self.numbers;
+        let (stride, width) = (*stride, *width);
+        let row = |i: usize| &now[i * stride..i * stride + width];
+        let last = now.len() / stride - 1;
         let nothing = Weight::of(&BigInt::zero());
-        for (i, into) in self.next.chunks_exact_mut(stride).enumerate() {
+        for (i, into) in next.chunks_exact_mut(stride).enumerate() {
             let into = &mut into[..width];
             let (before, own, after) = (i.saturating_sub(1), i, (i + 1).min(last));
             let at_end = i == 0 || i == last;
@@ -124,11 +102,50 @@ impl Run {
             };
             combine(into, [row(before), row(own), row(after)], side, centre);
         }
-        std::mem::swap(&mut self.now, &mut self.next);
+        std::mem::swap(now, next);
     }
 
-    /// Continues the sign of every number into the limbs that come into use.
-    fn widen(&mut self, width: usize) {
+    /// The exact positions after the steps made so far.
+    pub fn answer(&self) -> Answer {
+        Answer {
+            k: self.k,
+            numerators: self.numbers.integers(),
+            base: self.line.base.clone(),
+            den: self.line.den.clone(),
+        }
+    }
+}
+
+/// The numbers of a run, before and after a step, in two flat buffers in two's complement: as long
+/// as the last step needs; a step works on as many limbs as its own numbers may have.
+pub(super) struct Numbers {
+    growth: Growth,
+    start_bits: u64,
+    /// Limbs from one number to the next.
+    pub stride: usize,
+    /// Limbs in use.
+    pub width: usize,
+    pub now: Vec<u64>,
+    pub next: Vec<u64>,
+}
+
+impl Numbers {
+    /// The start, with room for as many steps as `last`, in each of which numbers grow so.
+    pub fn new(start: &[BigInt], growth: Growth, last: u64) -> Self {
+        // One bit for the sign.
+        let start_bits = longest(start) + 1;
+        let stride = limbs_for(growth.bits(last) + start_bits);
+        let width = limbs_for(growth.bits(0) + start_bits);
+        let mut now = vec![0; stride * start.len()];
+        for (row, x) in now.chunks_exact_mut(stride).zip(start) {
+            limbs::write(&mut row[..width], x);
+        }
+        Self { growth, start_bits, stride, width, next: now.clone(), now }
+    }
+
+    /// Continues the sign of every number into the limbs that come into use in step `k`.
+    pub fn widen(&mut self, k: u64) {
+        let width = limbs_for(self.growth.bits(k) + self.start_bits).min(self.stride);
         if width > self.width {
             for row in self.now.chunks_exact_mut(self.stride) {
                 let sign = if limbs::is_negative(&row[..self.width]) { u64::MAX } else { 0 };
@@ -138,19 +155,14 @@ impl Run {
         }
     }
 
-    /// The exact positions after the steps made so far.
-    pub fn answer(&self) -> Answer {
+    /// The numbers after the steps made so far.
+    pub fn integers(&self) -> Vec<BigInt> {
         let mut scratch = vec![0; self.width];
-        let numerators = self.now.chunks_exact(self.stride).map(|row| {
+        let number = |row: &[u64]| {
             scratch.copy_from_slice(&row[..self.width]);
             limbs::integer(&mut scratch)
-        });
-        Answer {
-            k: self.k,
-            numerators: numerators.collect(),
-            base: self.line.base.clone(),
-            den: self.line.den.clone(),
-        }
+        };
+        self.now.chunks_exact(self.stride).map(number).collect()
     }
 }
 

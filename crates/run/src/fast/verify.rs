@@ -7,6 +7,7 @@
 use std::hash::{BuildHasher, Hasher, RandomState};
 
 use super::answer::Answer;
+use super::engine::Motion;
 use super::rule::Rule;
 use cordon_core::random::SplitMix;
 use cordon_core::scalar::{Modulus, Residue};
@@ -84,7 +85,7 @@ pub fn verify(
         seed,
         primes: Vec::new(),
         compared: 0,
-        log2_chance: chance(rule, start, answers, primes)?,
+        log2_chance: chance(&rule.motion(start)?, answers, primes),
         disagreement: None,
     };
     progress::expect(last.saturating_mul(primes as u64));
@@ -99,8 +100,8 @@ pub fn verify(
         let (mut x, mut k) = (start, 0);
         for (answer, wanted) in ordered.iter().zip(wanted) {
             while k < answer.k {
-                x = rule.step(x);
                 k += 1;
+                x = rule.step(k, x);
                 progress::advance(1);
             }
             found.compared += x.len() as u64;
@@ -132,23 +133,17 @@ fn images(
 }
 
 /// The bound of the chance that wrong answers agree modulo every prime, as a power of two.
-fn chance(
-    rule: &Rule<Rational>,
-    start: &[Rational],
-    answers: &[Answer],
-    primes: usize,
-) -> Result<f64> {
-    let line = rule.line(start)?;
+fn chance(motion: &Motion, answers: &[Answer], primes: usize) -> f64 {
     let mut worst = LOG2_SEED_LIMIT;
     for answer in answers {
         let given = answer.numerators.iter().map(num_bigint::BigInt::bits).max().unwrap_or(0);
         // The difference of two numerators, the true and the given one.
-        let bits = line.numerator_bits(answer.k).max(given) as f64 + 1.0;
+        let bits = motion.numerator_bits(answer.k).max(given) as f64 + 1.0;
         // So many primes of 2^60 or more divide it at most.
         let bad = (bits / 60.0).max(1.0);
         worst = worst.max(primes as f64 * (bad.log2() - LOG2_PRIMES));
     }
-    Ok(worst)
+    worst
 }
 
 /// A prime from 2^60 to 2^61, each with the same chance.

@@ -180,11 +180,17 @@ impl Document {
                 .map(|v| Some((v.as_str()?.to_owned(), None)))
                 .collect::<Option<_>>()
                 .ok_or_else(|| fail("expected names in quotes"))?,
-            Value::Table(table) => table
-                .iter()
-                .map(|(name, unit)| Some((name.clone(), Some(unit.as_str()?.to_owned()))))
-                .collect::<Option<_>>()
-                .ok_or_else(|| fail("expected units in quotes, like `{ x = \"m\" }`"))?,
+            Value::Table(table) => {
+                let written = source.text.get(value.span()).unwrap_or_default();
+                let mut pairs: Vec<(String, Option<String>)> = table
+                    .iter()
+                    .map(|(name, unit)| Some((name.clone(), Some(unit.as_str()?.to_owned()))))
+                    .collect::<Option<_>>()
+                    .ok_or_else(|| fail("expected units in quotes, like `{ x = \"m\" }`"))?;
+                // In the order in which they are written, which the table does not keep.
+                pairs.sort_by_key(|(name, _)| key_place(written, name));
+                pairs
+            }
             _ => return Err(fail("expected a name, a list of names, or names with units")),
         };
         let mut variables: Vec<Variable> = Vec::new();
@@ -316,6 +322,17 @@ impl Document {
             }
         }
     }
+}
+
+/// Where a key stands in a table as written.
+fn key_place(table: &str, key: &str) -> Option<usize> {
+    let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let stands = |at: usize| {
+        let (before, after) = (table.get(..at)?, table.get(at + key.len()..)?);
+        let after = after.trim_start_matches(['"', '\'']).trim_start();
+        (!before.ends_with(is_letter) && after.starts_with('=')).then_some(at)
+    };
+    table.match_indices(key).find_map(|(at, _)| stands(at))
 }
 
 /// How links fail.

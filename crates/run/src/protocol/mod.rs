@@ -12,7 +12,7 @@ mod rules;
 use std::path::Path;
 
 use cordon_core::files::{self, Limit};
-use cordon_core::system::{Convergence, MOST_VARIABLES, Schedule, System, state_names};
+use cordon_core::system::{Convergence, MOST_VARIABLES, Schedule, System, Variable, state_names};
 use cordon_core::{Error, Result};
 
 use crate::scenario::document::document;
@@ -120,6 +120,14 @@ impl ProtocolFile {
             claims: claimed,
             converges,
         })
+    }
+
+    /// The state variables of an agent, whatever the number of agents.
+    ///
+    /// # Errors
+    /// They are no names: the message has file, line, column and key.
+    pub fn variables(&self) -> Result<Vec<Variable>> {
+        self.document.variables(&Source { name: &self.name, text: &self.text })
     }
 
     /// Whether the file leaves the number of agents open.

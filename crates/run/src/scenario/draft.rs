@@ -1,9 +1,14 @@
 //! A scenario before it is checked.
 
+use std::collections::BTreeMap;
+use std::path::Path;
+
 use cordon_spec::Phase;
 
-use super::{Flight, MAX_DRONES, MIN_DRONES, Places, Protocol, Scenario, Topology};
+use super::{Flight, MAX_DRONES, MIN_DRONES, Own, Places, Protocol, Scenario, Topology};
+use crate::protocol;
 use cordon_core::exact::Rational;
+use cordon_core::system::Variable;
 use cordon_core::{Error, Result};
 
 /// Where the drones start, as a user says it.
@@ -21,7 +26,7 @@ pub enum Start {
 pub struct Draft {
     /// What the scenario is about, for people.
     pub title: Option<String>,
-    /// `coverage` (default), `consensus` or `formation`.
+    /// `coverage` (default), `consensus`, `formation`, or a protocol file (ends in `.toml`).
     pub protocol: Option<String>,
     /// Left end of the segment; the first drone's start by default.
     pub min: Option<Rational>,
@@ -47,6 +52,10 @@ pub struct Draft {
     pub edges: Option<Vec<(usize, usize)>>,
     /// Wanted displacements (formation).
     pub displacement: Option<Vec<Rational>>,
+    /// Values of an own protocol's parameters, by name.
+    pub parameters: BTreeMap<String, Rational>,
+    /// Seed that draws what an own protocol leaves open in each step.
+    pub choices: Option<u64>,
     /// The drones' bodies, for co-simulation.
     pub flight: Flight,
     /// Where the fields stand.
@@ -65,6 +74,10 @@ impl Draft {
                 self.places.replaced(field);
             }
         }
+        for name in other.parameters.keys() {
+            self.places.replaced(&format!("parameters.{name}"));
+        }
+        self.parameters.extend(other.parameters);
         // A graph is said by its name or by its edges, not by both.
         if other.graph.is_some() || other.edges.is_some() {
             (self.graph, self.edges) = (None, None);
@@ -84,6 +97,8 @@ impl Draft {
             graph: other.graph.or(self.graph),
             edges: other.edges.or(self.edges),
             displacement: other.displacement.or(self.displacement),
+            parameters: self.parameters,
+            choices: other.choices.or(self.choices),
             flight: self.flight.replaced_by(other.flight),
             places: self.places,
         }
@@ -123,6 +138,12 @@ impl Draft {
 
     fn checked(self) -> Result<Scenario> {
         let protocol = self.protocol.as_deref().unwrap_or("coverage");
+        if names_file(protocol) {
+            let (own, start) = self.own(protocol)?;
+            let weight = own.value("eps").cloned().unwrap_or_default();
+            let title = own.system.title.clone();
+            return self.scenario(Protocol::Own(Box::new(own)), start, weight, title);
+        }
         let start = self.positions()?;
         let count = start.len();
         let protocol = match protocol {
@@ -134,12 +155,24 @@ impl Draft {
             }
             other => {
                 return Err(Error::input(format!(
-                    "protocol: `{other}` is unknown: expected `coverage`, `consensus` or `formation`"
+                    "protocol: `{other}` is unknown: expected `coverage`, `consensus`, `formation` or a \
+                     protocol file, which ends in `.toml`"
                 )));
             }
         };
         self.refuse_fields_foreign_to(&protocol)?;
-        let weight = self.weight.ok_or_else(|| missing("weight (eps)"))?;
+        let weight = self.weight.clone().ok_or_else(|| missing("weight (eps)"))?;
+        let title = format!("{} of {count} drones", protocol.name());
+        self.scenario(protocol, start, weight, title)
+    }
+
+    fn scenario(
+        self,
+        protocol: Protocol,
+        start: Vec<Rational>,
+        weight: Rational,
+        title: String,
+    ) -> Result<Scenario> {
         let period = self.period.unwrap_or(1);
         if period == 0 {
             return Err(Error::input(
@@ -152,7 +185,7 @@ impl Draft {
             )));
         }
         Ok(Scenario {
-            title: self.title.unwrap_or_else(|| format!("{} of {count} drones", protocol.name())),
+            title: self.title.unwrap_or(title),
             protocol,
             start,
             weight,
@@ -161,6 +194,46 @@ impl Draft {
             tau: self.tau,
             steps: self.steps.unwrap_or(DEFAULT_STEPS),
         })
+    }
+
+    /// The system of a protocol file with values for its parameters, and its start.
+    fn own(&self, path: &str) -> Result<(Own, Vec<Rational>)> {
+        let foreign = [
+            ("graph", self.graph.is_some() || self.edges.is_some()),
+            ("displacement", self.displacement.is_some()),
+            ("min", self.min.is_some()),
+            ("max", self.max.is_some()),
+            ("spread_to", matches!(self.start, Some(Start::SpreadTo(_)))),
+        ];
+        if let Some((field, _)) = foreign.into_iter().find(|(_, is)| *is) {
+            return Err(Error::input(format!(
+                "{field}: not a field of a protocol file's scenario"
+            )));
+        }
+        let file = protocol::read(Path::new(path))?;
+        let variables = file.variables()?;
+        let Some(Start::Listed(start)) = &self.start else {
+            return Err(missing(&format!("start ({})", in_order(&variables))));
+        };
+        let per_agent = variables.len().max(1);
+        let agents = self.drones.unwrap_or(start.len() / per_agent);
+        if start.len() != agents * per_agent {
+            return Err(Error::input(format!(
+                "start: {} numbers given: expected {per_agent} for each of the {agents} drones: {}",
+                start.len(),
+                in_order(&variables)
+            )));
+        }
+        let mut given = self.parameters.clone();
+        if let Some(weight) = &self.weight {
+            if given.insert("eps".to_owned(), weight.clone()).is_some() {
+                return Err(Error::input(
+                    "parameters.eps: given as weight too: expected one of them",
+                ));
+            }
+        }
+        let own = Own::new(path.to_owned(), file.with_agents(agents)?, &given, self.choices)?;
+        Ok((own, start.clone()))
     }
 
     fn positions(&self) -> Result<Vec<Rational>> {
@@ -241,6 +314,16 @@ impl Draft {
         let coverage = matches!(protocol, Protocol::Coverage { .. });
         // Drones that are spread out are spread from min, and the last one is at max.
         let spread = matches!(self.start, Some(Start::SpreadTo(_)));
+        let parameters = self.parameters.keys().next().map(|name| format!("parameters.{name}"));
+        if let Some(field) = parameters {
+            return Err(Error::input(format!("{field}: not a field of protocol `{name}`")));
+        }
+        if self.choices.is_some() {
+            return Err(Error::input(format!(
+                "seed: expected `--verify` too, or a protocol file that leaves choices, found \
+                 protocol `{name}`"
+            )));
+        }
         let foreign = [
             ("graph", coverage && (self.graph.is_some() || self.edges.is_some())),
             ("displacement", self.displacement.is_some() && name != "formation"),
@@ -254,6 +337,17 @@ impl Draft {
         }
         Ok(())
     }
+}
+
+/// Whether a protocol's name names a file.
+pub(super) fn names_file(protocol: &str) -> bool {
+    Path::new(protocol).extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"))
+}
+
+/// The order of the numbers of a start: `x0,v0,x1,v1,...`.
+fn in_order(variables: &[Variable]) -> String {
+    let names = (0..2).flat_map(|i| variables.iter().map(move |v| format!("{}{i}", v.name)));
+    names.chain(["...".to_owned()]).collect::<Vec<_>>().join(",")
 }
 
 fn missing(field: &str) -> Error {

@@ -1,5 +1,6 @@
 //! Scenario files (TOML).
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
 
@@ -8,6 +9,7 @@ use serde::Deserialize;
 use toml::{Spanned, Value};
 
 use super::document::document;
+use super::draft::names_file;
 use super::flight_file::{self, FaultTable, FlightTable, UnitTable};
 use super::{Draft, Places, Start};
 use cordon_core::exact::{self, Rational};
@@ -34,6 +36,8 @@ struct Document {
     steps: Option<u64>,
     graph: Option<Spanned<Value>>,
     displacement: Option<Vec<Spanned<Value>>>,
+    #[serde(default)]
+    parameters: BTreeMap<String, Spanned<Value>>,
     #[serde(default)]
     flight: FlightTable,
     #[serde(default)]
@@ -74,13 +78,17 @@ pub fn parse(name: &str, text: &str) -> Result<Draft> {
     if let (Some(_), Some(weight)) = (&doc.eps, &doc.weight) {
         return Err(source.error(&weight.span(), "eps and weight: expected one of them"));
     }
+    let parameter = |(name, value): (String, Spanned<Value>)| {
+        let value = source.number(&format!("parameters.{name}"), &value)?;
+        Ok((name, value))
+    };
     let (graph, edges) = match doc.graph {
         None => (None, None),
         Some(value) => source.graph(&value)?,
     };
     Ok(Draft {
         title: doc.title,
-        protocol: doc.protocol,
+        protocol: doc.protocol.map(|p| beside(name, p)),
         min: number("min", doc.min)?,
         max: number("max", doc.max)?,
         drones: doc.drones,
@@ -93,9 +101,19 @@ pub fn parse(name: &str, text: &str) -> Result<Draft> {
         graph,
         edges,
         displacement: numbers("displacement", doc.displacement)?,
+        parameters: doc.parameters.into_iter().map(parameter).collect::<Result<_>>()?,
+        choices: None,
         flight: flight_file::flight(&source, doc.flight, &doc.fault, doc.unit)?,
         places,
     })
+}
+
+/// A protocol file is looked for beside the scenario file.
+fn beside(scenario: &str, protocol: String) -> String {
+    match Path::new(scenario).parent() {
+        Some(folder) if names_file(&protocol) => folder.join(&protocol).display().to_string(),
+        _ => protocol,
+    }
 }
 
 /// The file's name and text, for errors that point into it.

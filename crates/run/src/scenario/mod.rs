@@ -9,6 +9,7 @@ pub mod file;
 mod flight;
 mod flight_file;
 mod graph;
+mod own;
 mod places;
 
 use cordon_spec::theorems::Setting;
@@ -18,6 +19,7 @@ pub use draft::{Draft, Start};
 pub use file::{parse, read};
 pub use flight::{Fault, FaultKind, Flight, Parameter, Substitute, UnitName};
 pub use graph::Topology;
+pub use own::Own;
 pub use places::Places;
 
 use cordon_core::Rational;
@@ -51,29 +53,34 @@ pub enum Protocol {
         /// Sum of the wanted displacements of each drone from its neighbours.
         displacement: Vec<Rational>,
     },
+    /// A protocol file.
+    Own(Box<Own>),
 }
 
 impl Protocol {
-    /// The protocol's name in scenario files and output.
-    pub fn name(&self) -> &'static str {
+    /// The protocol's name in scenario files and output; of an own one the file.
+    pub fn name(&self) -> &str {
         match self {
             Self::Coverage { .. } => "coverage",
             Self::Consensus { .. } => "consensus",
             Self::Formation { .. } => "formation",
+            Self::Own(own) => &own.file,
         }
     }
 }
 
-/// A checked scenario: N >= 3 drones, consistent lengths, `min < max`.
+/// A checked scenario: N >= 3 drones, or as many as the protocol file allows; consistent lengths,
+/// `min < max`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Scenario {
     /// What the scenario is about, for people.
     pub title: String,
     /// How the drones move.
     pub protocol: Protocol,
-    /// Position of every drone at the start.
+    /// Position of every drone at the start; of an own protocol every state variable, drone by drone.
     pub start: Vec<Rational>,
-    /// Weight eps of the neighbours in the update, dimensionless.
+    /// Weight eps of the neighbours in the update, dimensionless; 0 of an own protocol without a
+    /// parameter `eps`.
     pub weight: Rational,
     /// Ticks from update to update, at least 1.
     pub period: u32,
@@ -88,7 +95,29 @@ pub struct Scenario {
 impl Scenario {
     /// The number of drones N.
     pub fn count(&self) -> usize {
-        self.start.len()
+        self.own().map_or(self.start.len(), |own| own.system.agents)
+    }
+
+    /// The own protocol, where it is one.
+    pub fn own(&self) -> Option<&Own> {
+        match &self.protocol {
+            Protocol::Own(own) => Some(own),
+            _ => None,
+        }
+    }
+
+    /// The names of what a row of a trace has: `x0, x1, ...`, or the own protocol's state variables.
+    pub fn columns(&self) -> Vec<String> {
+        match self.own() {
+            Some(own) => own.columns().to_vec(),
+            None => (0..self.count()).map(|i| format!("x{i}")).collect(),
+        }
+    }
+
+    /// The start with what an own protocol remembers of the past: it was at rest.
+    pub fn whole_start(&self) -> Vec<Rational> {
+        let at_rest = self.own().and_then(|own| own.system.at_rest(&self.start));
+        at_rest.unwrap_or_else(|| self.start.clone())
     }
 
     /// The largest value `n` of the tick counter.
@@ -98,7 +127,7 @@ impl Scenario {
 
     /// The spec's initial state.
     pub fn initial(&self) -> State<Vec<Rational>> {
-        State::initial(self.start.clone(), self.counter_limit(), self.phase)
+        State::initial(self.whole_start(), self.counter_limit(), self.phase)
     }
 
     /// The spec's parameters for coverage of the segment \[min, max\].

@@ -6,7 +6,7 @@ use cordon_core::theorems;
 use cordon_spec::theorems::{Form, Setting, Theorem, Truth, Verdict};
 use num_bigint::BigInt;
 
-use crate::fast::{Line, Rule, step};
+use crate::fast::{Line, Motion, step};
 use crate::scenario::Scenario;
 use cordon_core::exact::Rational;
 use cordon_core::{Error, Outcome, Result, progress, violation};
@@ -70,7 +70,7 @@ pub fn check(
     }
     let span = |t: Theorem| t.span(form, scenario.count());
     let longest = theorems.iter().map(|&t| span(t)).max().unwrap_or(0);
-    let line = Rule::of(scenario)?.line(&scenario.start)?;
+    let line = Motion::of(scenario, last)?.into_line("check")?;
     let mut window = Window::new(line, last.saturating_add(longest as u64));
     progress::expect(last.saturating_add(1));
     for step in 0..=last {

@@ -1,11 +1,13 @@
 //! Traces: the rows of a run that a user wants to see, and what the theorems say of them.
 
 mod check;
+mod claims;
 mod extremes;
 mod positions;
 mod rows;
 
 pub use check::{Checked, applicable, check};
+pub use claims::{CheckedClaim, check_claims, out_of_range};
 pub use extremes::decimal_widths;
 pub use positions::Positions;
-pub use rows::{Counted, Row, Rows, Selection, select};
+pub use rows::{Counted, Row, Rows, Selection, select, shown};

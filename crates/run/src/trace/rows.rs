@@ -3,7 +3,7 @@
 use num_traits::ToPrimitive;
 
 use super::positions::Positions;
-use crate::fast::{Line, Rule, engine, jump, step};
+use crate::fast::{Answer, Course, Line, Motion, course, engine, jump, leap, step};
 use crate::scenario::{Protocol, Scenario, Topology};
 use crate::simulate;
 use cordon_core::{Error, Rational, Result, progress};
@@ -149,28 +149,34 @@ enum Source {
     Step(Box<step::Run>),
     /// A line, without the steps between.
     Jump(Box<Line>),
+    /// An own protocol, step by step.
+    March(Box<course::Run>),
+    /// An own protocol, without the steps between.
+    Leap(Box<Course>),
     /// Another protocol or graph: the spec on fractions.
     Spec { k: u64, drones: Vec<Rational> },
 }
 
 impl Source {
     fn of(scenario: &Scenario, selection: Selection) -> Result<Self> {
-        let is_line = match &scenario.protocol {
+        let is_fast = match &scenario.protocol {
             Protocol::Coverage { .. } => true,
             Protocol::Consensus { graph } => matches!(graph, Topology::Path(_)),
             Protocol::Formation { .. } => false,
+            Protocol::Own(_) => true,
         };
-        if !is_line {
+        if !is_fast {
             return Ok(Self::Spec { k: 0, drones: scenario.start.clone() });
         }
-        let line = Rule::of(scenario)?.line(&scenario.start)?;
         let (_, last) = selection.unit.tick_and_step(scenario, selection.last());
-        line.refuse_beyond_memory(selection.unit.name(), last)?;
-        let jumps = engine::jump_is_faster(&line, last, selection.steps(scenario));
-        Ok(if jumps {
-            Self::Jump(line.into())
-        } else {
-            Self::Step(step::Run::new(line, last).into())
+        let motion = Motion::of(scenario, last)?;
+        motion.refuse_beyond_memory(selection.unit.name(), last)?;
+        let jumps = motion.jump_is_faster(last, selection.steps(scenario));
+        Ok(match motion {
+            Motion::Line(line) if jumps => Self::Jump(line.into()),
+            Motion::Line(line) => Self::Step(step::Run::new(line, last).into()),
+            Motion::Course(course) if jumps => Self::Leap(course),
+            Motion::Course(course) => Self::March(course::Run::new(*course, last).into()),
         })
     }
 
@@ -178,10 +184,14 @@ impl Source {
         match self {
             Self::Step(run) => run.advance_to(wanted).answer().into(),
             Self::Jump(line) => jump::after(line, wanted, engine::multiplier()).into(),
+            Self::March(run) => shown(scenario, run.advance_to(wanted).answer()),
+            // Only what can be jumped over is.
+            Self::Leap(course) => leap::after(course, wanted, engine::multiplier())
+                .map_or_else(|| Vec::new().into(), |answer| shown(scenario, answer)),
             Self::Spec { k, drones } => {
                 while *k < wanted {
-                    *drones = simulate::step(scenario, std::mem::take(drones));
                     *k += 1;
+                    *drones = simulate::step(scenario, *k, std::mem::take(drones));
                 }
                 drones.clone().into()
             }
@@ -189,8 +199,18 @@ impl Source {
     }
 }
 
+/// The positions of an answer, without what an own protocol remembers of the past.
+pub fn shown(scenario: &Scenario, mut answer: Answer) -> Positions {
+    answer.numerators.truncate(scenario.start.len());
+    answer.into()
+}
+
 fn refuse_endless(scenario: &Scenario, unit: Counted, to: u64) -> Result<()> {
-    let steps = unit.tick_and_step(scenario, to).1 as f64;
+    let last = unit.tick_and_step(scenario, to).1;
+    if scenario.own().is_some() {
+        return refuse_endless_course(scenario, unit, to, last);
+    }
+    let steps = last as f64;
     let drones = scenario.count() as f64;
     let bits = scenario.weight.denom().to_f64().unwrap_or(f64::MAX).log2().max(1.0);
     if drones * steps * (steps * bits / 128.0 + 1.0) <= MAX_WORK {
@@ -202,6 +222,26 @@ fn refuse_endless(scenario: &Scenario, unit: Counted, to: u64) -> Result<()> {
         scenario.count(),
         scenario.weight,
         steps * bits
+    )))
+}
+
+/// As [`refuse_endless`], for an own protocol.
+fn refuse_endless_course(scenario: &Scenario, unit: Counted, to: u64, last: u64) -> Result<()> {
+    let Some(own) = scenario.own() else { return Ok(()) };
+    let start = scenario.whole_start();
+    let course = match own.cycle() {
+        Some(maps) => Course::in_turn(&maps, &start),
+        // A few drawn steps show how large the numbers of all get.
+        None => Course::drawn(own, &start, last.min(64)),
+    };
+    if course.stepping(last) <= MAX_WORK {
+        return Ok(());
+    }
+    let name = unit.name();
+    Err(Error::input(format!(
+        "{name}s: `{to}`: expected fewer: {} state variables make numbers of {} bits by then",
+        scenario.start.len(),
+        course.numerator_bits(last)
     )))
 }
 

@@ -10,7 +10,7 @@ use cordon_run::trace::Row;
 
 /// Writes a head line, then one line a row: step, tick, time in seconds where there is a
 /// clock, and for every drone its position as a fraction (`x1`), a decimal (`x1_decimal`) or
-/// both. No field ever needs quotes.
+/// both; of a protocol file every state variable. No field ever needs quotes.
 ///
 /// # Errors
 /// `out` cannot be written.
@@ -26,12 +26,13 @@ pub fn csv(
     if timed {
         write!(out, ",time")?;
     }
-    for i in 0..scenario.count() {
+    let columns = scenario.columns();
+    for x in &columns {
         if numbers != Numbers::Decimal {
-            write!(out, ",x{i}")?;
+            write!(out, ",{x}")?;
         }
         if numbers != Numbers::Fraction {
-            write!(out, ",x{i}_decimal")?;
+            write!(out, ",{x}_decimal")?;
         }
     }
     writeln!(out)?;
@@ -48,7 +49,7 @@ pub fn csv(
             Numbers::Fraction => Vec::new(),
             Numbers::Decimal | Numbers::Both => row.positions.decimals(digits),
         };
-        for i in 0..scenario.count() {
+        for i in 0..columns.len() {
             if let Some(x) = fractions.get(i) {
                 write!(out, ",{}", exact::fraction(x))?;
             }

@@ -12,7 +12,8 @@ use cordon_run::trace::Row;
 use super::page::Page;
 
 /// Writes one ITF object: one state a row, with the variables `step`, `tick`, `timesteps` and
-/// `x`, a list of records `{num, den}` (ITF has integers, and no fractions of its own).
+/// `x`, a list of records `{num, den}` (ITF has integers, and no fractions of its own); of a
+/// protocol file a list for every state variable of an agent.
 ///
 /// # Errors
 /// `out` cannot be written.
@@ -26,22 +27,30 @@ pub fn itf(
         "format-description": "https://apalache-mc.org/docs/adr/015adr-trace.html",
         "source": scenario.title,
     });
+    let own = scenario.own().map(|own| own.system.variables.iter().map(|v| v.name.as_str()));
+    let names: Vec<&str> = own.map_or_else(|| vec!["x"], Iterator::collect);
     let mut page = Page::begin(out)?;
     page.field("#meta", &meta)?;
     page.field("params", &json!([]))?;
-    page.list("states", rows.enumerate().map(|(i, r)| state(i, &r)))?;
-    page.field("vars", &json!(["step", "tick", "timesteps", "x"]))?;
+    page.list("states", rows.enumerate().map(|(i, r)| state(&names, i, &r)))?;
+    let vars: Vec<&str> = ["step", "tick", "timesteps"].into_iter().chain(names).collect();
+    page.field("vars", &json!(vars))?;
     page.end()
 }
 
-fn state(index: usize, r: &Row) -> Value {
-    json!({
+fn state(names: &[&str], index: usize, r: &Row) -> Value {
+    let mut state = json!({
         "#meta": { "index": index },
         "step": big(r.step),
         "tick": big(r.tick),
         "timesteps": big(r.timesteps),
-        "x": r.positions.lowest().iter().map(fraction).collect::<Vec<_>>(),
-    })
+    });
+    let numbers = r.positions.lowest();
+    for (v, name) in names.iter().enumerate() {
+        let of_all = numbers.iter().skip(v).step_by(names.len()).map(fraction);
+        state[*name] = of_all.collect();
+    }
+    state
 }
 
 fn fraction(x: &Rational) -> Value {

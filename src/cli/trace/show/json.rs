@@ -10,7 +10,7 @@ use cordon_core::exact;
 use cordon_core::{Evidence, Result};
 use cordon_run::fast::verify::Verification;
 use cordon_run::scenario::{Protocol, Scenario};
-use cordon_run::trace::{Checked, Row};
+use cordon_run::trace::{Checked, CheckedClaim, Row};
 
 use super::page::Page;
 use crate::cli::trace::Checks;
@@ -28,6 +28,9 @@ pub fn json(
 ) -> Result<()> {
     let mut page = Page::begin(out)?;
     page.field("checks", &checks.along.iter().map(checked).collect())?;
+    if of.own().is_some() {
+        page.field("claims", &checks.claims.iter().map(claim).collect())?;
+    }
     page.list("rows", rows.map(|r| row(of, &r, digits)))?;
     page.field("scenario", &scenario(of))?;
     page.field("schema", &json!("cordon-trace/1"))?;
@@ -42,7 +45,7 @@ fn scenario(s: &Scenario) -> Value {
         Protocol::Coverage { min, max } => json!([min.to_string(), max.to_string()]),
         _ => Value::Null,
     };
-    json!({
+    let mut page = json!({
         "title": s.title,
         "protocol": s.protocol.name(),
         "segment": segment,
@@ -51,7 +54,15 @@ fn scenario(s: &Scenario) -> Value {
         "period": s.period,
         "phase": match s.phase { Phase::First => "first", Phase::Last => "last" },
         "tau": s.tau.as_ref().map(ToString::to_string),
-    })
+    });
+    if let Some(own) = s.own() {
+        let values = own.values().map(|(p, value)| (p.name.clone(), json!(exact::fraction(value))));
+        page["choices"] = json!(own.choices());
+        page["parameters"] = Value::Object(values.collect());
+        page["state"] = json!(own.columns());
+        page["weight"] = Value::Null;
+    }
+    page
 }
 
 fn row(scenario: &Scenario, r: &Row, digits: usize) -> Value {
@@ -74,6 +85,16 @@ fn verified(v: &Verification) -> Value {
         // Beyond the whole numbers that every reader of JSON holds.
         "primes": v.primes.iter().map(u64::to_string).collect::<Vec<_>>(),
         "seed": v.seed.to_string(),
+    })
+}
+
+fn claim(c: &CheckedClaim) -> Value {
+    json!({
+        "claim": c.text,
+        "evidence": Evidence::ThisRunOnly,
+        "steps": c.holds.len(),
+        "violated": c.holds.values().filter(|holds| !**holds).count(),
+        "first_violation": c.first_violation.as_ref().map(|(step, what)| json!({ "step": step, "what": what })),
     })
 }
 

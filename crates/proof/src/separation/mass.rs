@@ -1,0 +1,112 @@
+//! How much of a response is negative, where some is.
+//!
+//! The first samples are executed; what comes after them is below a geometric sequence: with one
+//! more member s of the state, s' = rate s, both s - y and s + y of every readout y are never
+//! negative, which is a cone like any other.
+
+use cordon_core::Rational;
+use cordon_core::linear::matrix::{Matrix, dot};
+use num_bigint::BigInt;
+use num_traits::{One, Pow, Signed, Zero};
+
+use super::cone;
+use super::modes::modes;
+use super::path::{Entry, Path, entry};
+use super::{Cone, Response};
+
+/// A bound of the negative part of a response.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mass {
+    /// What the negative samples of a readout sum up to at most, with their signs changed.
+    pub negative: Rational,
+    /// Samples that were executed.
+    pub samples: usize,
+    /// The part of the bound that is for all samples after these.
+    pub tail: Rational,
+    /// Sample k is at most `scale rate^k`.
+    pub scale: Rational,
+    /// Below 1.
+    pub rate: Rational,
+    /// The system with s in its state, and readouts s - y and s + y.
+    pub bounded: Response,
+    /// Why these are never negative.
+    pub cone: Cone,
+}
+
+/// Decimal places of the bound.
+const PLACES: u32 = 9;
+
+/// What the tail should be below, in decimal places.
+const TAIL_PLACES: u32 = 6;
+
+/// Most samples that are executed.
+const MOST_SAMPLES: usize = 5_000;
+
+/// The negative mass of the response to its first start, the worst of its readouts. `None` where
+/// the response does not die out, or no bound was found.
+pub fn negative_mass(response: &Response) -> Option<Mass> {
+    let slowest = modes(&response.matrix, &response.readouts)?.first()?.factor.norm_sqr().sqrt();
+    if slowest.is_nan() || slowest >= 1.0 {
+        return None;
+    }
+    let one = Rational::one();
+    let steps = Rational::from_float((2.0 / (1.0 - slowest)).ceil())?;
+    let rate = &one - steps.recip();
+    let (name, start) = response.starts.first()?;
+    let mut bounded = with_bound(response, &rate);
+    let mut cone = cone::find(&bounded)?;
+    // The least scale with which the start is in the cone, and a little more for short digits.
+    let needed = cone.rows.iter().map(|row| {
+        let (bound, state) = row.split_last()?;
+        bound.is_positive().then(|| -dot(state, start) / bound)
+    });
+    let scale = needed.collect::<Option<Vec<_>>>()?.into_iter().max()?;
+    let scale = rounded_up(&scale, PLACES);
+    let state = start.iter().cloned().chain([scale.clone()]).collect();
+    bounded.starts = vec![(name.clone(), state)];
+    let Entry::At(0) = entry(&bounded, Some(&cone.rows), 0) else {
+        return None;
+    };
+    cone.entered = 0;
+    let wanted = Rational::new(BigInt::one(), BigInt::from(10).pow(TAIL_PLACES));
+    let mut tail = &scale * &steps;
+    let mut samples = 0;
+    while tail > wanted && samples < MOST_SAMPLES {
+        tail = rounded_up(&(tail * &rate), 2 * PLACES);
+        samples += 1;
+    }
+    let mut path = Path::new(&response.matrix, start);
+    let mut sums = vec![Rational::zero(); response.readouts.len()];
+    for _ in 0..samples {
+        for (sum, sample) in sums.iter_mut().zip(path.values(&response.readouts, 2 * PLACES)) {
+            *sum += (-sample).max(Rational::zero());
+        }
+        path.step();
+    }
+    let executed = sums.into_iter().max()?;
+    let negative = rounded_up(&(executed + &tail), PLACES);
+    Some(Mass { negative, samples, tail, scale, rate, bounded, cone })
+}
+
+fn with_bound(response: &Response, rate: &Rational) -> Response {
+    let zero = Rational::zero();
+    let extended = |row: &Vec<Rational>, last: &Rational| -> Vec<Rational> {
+        row.iter().cloned().chain([last.clone()]).collect()
+    };
+    let mut matrix: Matrix = response.matrix.iter().map(|row| extended(row, &zero)).collect();
+    matrix.push(extended(&vec![zero; response.matrix.len()], rate));
+    let one = Rational::one();
+    let both = |row: &Vec<Rational>| {
+        let negated = row.iter().map(|x| -x).collect();
+        [extended(&negated, &one), extended(row, &one)]
+    };
+    let state = response.state.iter().cloned().chain(["s".to_owned()]).collect();
+    let readouts = response.readouts.iter().flat_map(both).collect();
+    Response { state, matrix, starts: Vec::new(), readouts }
+}
+
+/// The next multiple of 10^-places.
+fn rounded_up(x: &Rational, places: u32) -> Rational {
+    let unit = Rational::from_integer(BigInt::from(10).pow(places));
+    (x * &unit).ceil() / unit
+}

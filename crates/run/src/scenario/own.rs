@@ -1,0 +1,409 @@
+//! An own protocol in a run: every parameter has a value, and every choice is made.
+
+use std::collections::BTreeMap;
+
+use num_bigint::BigInt;
+
+use cordon_core::exact::fraction;
+use cordon_core::random::SplitMix;
+use cordon_core::system::{Map, Parameter, ParameterKind, Schedule, System};
+use cordon_core::text::cut;
+use cordon_core::{Error, Rational, Result};
+
+/// A system that runs: its parameters have values, and what it leaves open in a step is chosen.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Own {
+    /// The protocol file, as it was named.
+    pub file: String,
+    /// The system, its ranges as the file has them.
+    pub system: System,
+    /// Draws the choices of every step. Without a seed all links work, all agents act, no message
+    /// is late, and of several modes that may act in any step the first one does.
+    pub seed: Option<u64>,
+    /// The parameters' values; `None` where one is chosen anew in each step.
+    values: Vec<Option<Rational>>,
+}
+
+/// A parameter that varies is drawn from the multiples of this part of its range.
+const PARTS: u64 = 8;
+
+impl Own {
+    /// The system with these values for some of its parameters, by name.
+    ///
+    /// # Errors
+    /// A name that no parameter has, a value for a choice that is neither end of it, and a parameter
+    /// that is left without a value.
+    pub fn new(
+        file: String,
+        system: System,
+        given: &BTreeMap<String, Rational>,
+        seed: Option<u64>,
+    ) -> Result<Self> {
+        if let Some(name) = given.keys().find(|n| system.parameters.iter().all(|p| p.name != **n)) {
+            let known: Vec<_> = system.parameters.iter().map(|p| p.name.as_str()).collect();
+            let known = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
+            return Err(Error::input(format!(
+                "parameters.{name}: no parameter of `{file}`: expected one of {}",
+                cut(&known, 120)
+            )));
+        }
+        let value = |p: &Parameter| match (given.get(&p.name), p.kind) {
+            (Some(x), ParameterKind::Choice) if !p.ends().contains(x) => {
+                Err(Error::input(format!(
+                    "parameters.{}: `{}`: expected {} or {}",
+                    p.name,
+                    fraction(x),
+                    fraction(&p.low),
+                    fraction(&p.high)
+                )))
+            }
+            (Some(x), _) => Ok(Some(x.clone())),
+            (None, ParameterKind::Choice) => Ok(None),
+            (None, ParameterKind::Varying) if seed.is_some() => Ok(None),
+            (None, kind) => match p.fixed() {
+                Some(x) => Ok(Some(x.clone())),
+                None => Err(open(p, kind)),
+            },
+        };
+        let values = system.parameters.iter().map(value).collect::<Result<_>>()?;
+        Ok(Self { file, system, seed, values })
+    }
+
+    /// The names of the agents' variables, agent by agent: what a row of a trace has.
+    pub fn columns(&self) -> &[String] {
+        let now = self.system.state.len() - self.system.past.len();
+        self.system.state.get(..now).unwrap_or_default()
+    }
+
+    /// The value of a parameter that is the same in every step.
+    pub fn value(&self, name: &str) -> Option<&Rational> {
+        let place = self.system.parameters.iter().position(|p| p.name == name)?;
+        self.values.get(place)?.as_ref()
+    }
+
+    /// The parameters that have one value in all steps.
+    pub fn values(&self) -> impl Iterator<Item = (&Parameter, &Rational)> {
+        let pairs = self.system.parameters.iter().zip(&self.values);
+        pairs.filter_map(|(p, value)| Some((p, value.as_ref()?)))
+    }
+
+    /// Whether a step leaves something to choose.
+    pub fn has_choices(&self) -> bool {
+        self.values.contains(&None) || self.has_free_modes()
+    }
+
+    /// Whether any of several modes may act in a step.
+    fn has_free_modes(&self) -> bool {
+        self.system.schedule == Schedule::Any && self.system.modes.len() > 1
+    }
+
+    /// How the run chooses what the protocol leaves open, in words; `None` where it leaves nothing.
+    pub fn choices(&self) -> Option<String> {
+        if !self.has_choices() {
+            return None;
+        }
+        if let Some(seed) = self.seed {
+            return Some(format!("choices drawn from --seed {seed}"));
+        }
+        let left = self.system.parameters.iter().zip(&self.values).filter(|(_, v)| v.is_none());
+        let left: Vec<&str> = left.map(|(p, _)| p.name.as_str()).collect();
+        let any = |prefix: &str| left.iter().any(|name| name.starts_with(prefix));
+        let mode = self.system.modes.first().filter(|_| self.has_free_modes());
+        let said: Vec<String> = [
+            any("acts").then(|| "all agents act".to_owned()),
+            any("link").then(|| "all links work".to_owned()),
+            any("late").then(|| "no message is late".to_owned()),
+            mode.map(|m| format!("mode `{}` acts in every step", m.name)),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        Some(said.join(", "))
+    }
+
+    /// Which mode acts in step `k >= 1`, and the values of the parameters in it.
+    fn choice(&self, k: u64) -> (usize, Vec<Rational>) {
+        let before = k.saturating_sub(1);
+        let draws = self.system.parameters.len() as u64 + 1;
+        let mut random = self.seed.map(|seed| SplitMix::after(seed, before.wrapping_mul(draws)));
+        // A draw for the mode and for each parameter, used or not.
+        let mode = random.as_mut().map_or(0, |r| r.below(self.system.modes.len() as u64));
+        let mode = match &self.system.schedule {
+            // Below the number of modes.
+            Schedule::Any => mode as usize,
+            Schedule::Cycle(list) => {
+                let place = before % (list.len() as u64).max(1);
+                list.get(place as usize).copied().unwrap_or(0)
+            }
+        };
+        let mut value = |(p, value): (&Parameter, &Option<Rational>)| {
+            let bits = random.as_mut().map(SplitMix::bits);
+            match (value, bits) {
+                (Some(x), _) => x.clone(),
+                (None, None) => p.usual().clone(),
+                (None, Some(bits)) if p.kind == ParameterKind::Choice => {
+                    if bits >> 63 == 0 {
+                        p.low.clone()
+                    } else {
+                        p.high.clone()
+                    }
+                }
+                (None, Some(bits)) => {
+                    let part = BigInt::from(u128::from(bits) * u128::from(PARTS + 1) >> 64);
+                    let part = Rational::new(part, PARTS.into());
+                    &p.low + (&p.high - &p.low) * part
+                }
+            }
+        };
+        let values = self.system.parameters.iter().zip(&self.values).map(&mut value).collect();
+        (mode, values)
+    }
+
+    /// The map that step `k >= 1` is, on the whole state.
+    pub fn map(&self, k: u64) -> Map {
+        let (mode, values) = self.choice(k);
+        self.system.modes.get(mode).map_or(Map { rows: Vec::new() }, |m| m.at(&values))
+    }
+
+    /// The maps that act in turn, for ever; `None` where choices are drawn.
+    pub fn cycle(&self) -> Option<Vec<Map>> {
+        if self.seed.is_some() && self.has_choices() {
+            return None;
+        }
+        let length = match &self.system.schedule {
+            Schedule::Any => 1,
+            Schedule::Cycle(list) => list.len() as u64,
+        };
+        Some((1..=length).map(|k| self.map(k)).collect())
+    }
+}
+
+fn open(p: &Parameter, kind: ParameterKind) -> Error {
+    let middle = (&p.low + &p.high) / Rational::from_integer(2.into());
+    let (low, high, middle) = (fraction(&p.low), fraction(&p.high), fraction(&middle));
+    let (name, seed) =
+        (&p.name, if kind == ParameterKind::Varying { ", or `--seed S`" } else { "" });
+    Error::input(format!(
+        "parameters.{name}: `{low}..{high}`: expected one value in a run, like `--set {name}={middle}`{seed}"
+    ))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::fast::{Course, Engine, Motion, engine};
+    use crate::scenario::{Scenario, parse, read};
+    use crate::trace::{Counted, Selection, select};
+    use crate::{projection, simulate};
+
+    fn q(p: i64, q: u64) -> Rational {
+        Rational::new(p.into(), q.into())
+    }
+
+    fn file(name: &str) -> String {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/own");
+        root.join(format!("{name}.toml")).display().to_string()
+    }
+
+    fn scenario(text: &str) -> Scenario {
+        parse("test", text).unwrap().finish().unwrap()
+    }
+
+    fn rows(scenario: &Scenario, last: u64) -> Vec<Vec<Rational>> {
+        let selection = Selection { unit: Counted::Steps, from: 0, to: last, every: 1 };
+        select(scenario, selection).unwrap().map(|r| r.positions.lowest()).collect()
+    }
+
+    /// A system of random size, entries, constants and number of modes in turn, as a file.
+    fn random_file(random: &mut SplitMix) -> (String, usize) {
+        let agents = 1 + random.below(5) as usize;
+        let modes = 1 + random.below(3);
+        let mut rules = |name: &str| {
+            let mut text = format!("[{name}]\n");
+            for i in 0..agents {
+                let mut terms = Vec::new();
+                for j in 0..agents {
+                    if random.below(3) > 0 {
+                        let (p, q) = (random.below(13) as i64 - 6, 1 + random.below(6));
+                        terms.push(format!("({p})/{q}*x{j}"));
+                    }
+                }
+                if random.below(3) == 0 {
+                    terms.push(format!("({})/{}", random.below(9) as i64 - 4, 1 + random.below(4)));
+                }
+                if terms.is_empty() {
+                    terms.push("0".to_owned());
+                }
+                text += &format!("{i} = \"{}\"\n", terms.join(" + "));
+            }
+            text
+        };
+        let body = match modes {
+            1 => rules("rules"),
+            _ => (0..modes).map(|m| rules(&format!("modes.m{m}"))).collect(),
+        };
+        let names: Vec<String> = (0..modes).map(|m| format!("\"m{m}\"")).collect();
+        let turn = match modes {
+            1 => String::new(),
+            _ => format!("switching = [{}]\n", names.join(", ")),
+        };
+        let head = format!("title = \"random\"\nagents = {agents}\nclaims = [\"x0 >= 0\"]\n{turn}");
+        (head + &body, agents)
+    }
+
+    /// Both engines on random systems, against the system on fractions.
+    #[test]
+    fn engines_run_random_systems_as_the_system_does() {
+        let mut random = SplitMix::new(2026);
+        let (mut compared, mut jumped, mut lines) = (0, 0, 0);
+        for _ in 0..200 {
+            let (text, agents) = random_file(&mut random);
+            let system = crate::protocol::parse("random", &text).unwrap().system().unwrap();
+            let start: Vec<Rational> =
+                (0..agents).map(|_| q(random.below(11) as i64 - 5, 1 + random.below(5))).collect();
+            let wanted = system.run(&[], &start, 40);
+            let own = Own::new("random".into(), system, &BTreeMap::new(), None).unwrap();
+            let maps = own.cycle().unwrap();
+            let motion = match maps.as_slice() {
+                [map] => crate::fast::Line::of_map(map, &start).map(Motion::Line),
+                _ => None,
+            };
+            lines += usize::from(motion.is_some());
+            let course = || Motion::Course(Course::in_turn(&maps, &start).into());
+            let motion = motion.unwrap_or_else(course);
+            for engine in [Engine::Step, Engine::Jump] {
+                let steps = [0, 1, 2, 3, 7, 39, 40, 7];
+                let answers = motion.positions(&steps, engine).unwrap();
+                for (k, answer) in steps.iter().zip(&answers) {
+                    let found = answer.positions(engine::multiplier());
+                    assert_eq!(found, wanted[*k as usize], "{text} step {k} {engine:?}");
+                    compared += 1;
+                }
+                jumped += usize::from(engine == Engine::Jump);
+            }
+        }
+        assert_eq!((compared, jumped), (200 * 16, 200));
+        assert!(lines < 100, "{lines}");
+    }
+
+    /// Coverage and consensus written as files are the built-in protocols, row by row.
+    #[test]
+    fn files_of_the_built_in_protocols_run_as_they_do() {
+        let mut compared = 0;
+        for (name, built_in) in [("coverage", "coverage"), ("consensus", "consensus")] {
+            for count in [3, 4, 7, 12] {
+                for eps in ["1/5", "1/2", "0.33", "0"] {
+                    let inner: Vec<String> =
+                        (1..count - 1).map(|i| format!("\"{i}/{}\"", 2 * count)).collect();
+                    let start = format!("start = [0, {}, 1]\nweight = \"{eps}\"", inner.join(", "));
+                    let own = scenario(&format!("protocol = '{}'\n{start}", file(name)));
+                    let wanted = scenario(&format!("protocol = \"{built_in}\"\n{start}"));
+                    assert_eq!(rows(&own, 25), rows(&wanted, 25), "{name} {count} {eps}");
+                    compared += 26;
+                    let far = |s: &Scenario| {
+                        let answers = Motion::of(s, 3000).unwrap().positions(&[3000], Engine::Jump);
+                        answers.unwrap()[0].positions(engine::multiplier())
+                    };
+                    assert_eq!(far(&own), far(&wanted));
+                    let is_line = matches!(Motion::of(&own, 9).unwrap(), Motion::Line(_));
+                    assert!(is_line, "{name} {count} {eps}: the fast kernel");
+                }
+            }
+        }
+        assert_eq!(compared, 2 * 4 * 4 * 26);
+    }
+
+    /// Delays, drawn choices and modes in turn: stepped on integers as the maps say on fractions; and
+    /// local machines are the global run.
+    #[test]
+    fn choices_are_drawn_alike_by_all_engines_and_local_machines_follow() {
+        let files = [
+            ("coverage-late", 4, "weight = \"1/3\""),
+            ("coverage-with-losses", 4, "weight = \"1/4\""),
+            ("platoon", 10, ""),
+            ("grid", 32, "weight = \"1/5\""),
+            ("digraph", 5, "weight = \"1/4\""),
+            ("ring-pulls", 6, "weight = \"1/4\""),
+        ];
+        let mut compared = 0;
+        for (name, numbers, weight) in files {
+            for seed in [None, Some(1), Some(2)] {
+                let start: Vec<String> = (0..numbers).map(|i| (i % 3).to_string()).collect();
+                let text = format!(
+                    "protocol = '{}'\nstart = [{}]\nperiod = 3\n{weight}",
+                    file(name),
+                    start.join(", ")
+                );
+                let mut draft = parse("test", &text).unwrap();
+                draft.choices = seed;
+                let s = draft.finish().unwrap();
+                let shown = rows(&s, 12);
+                let mut spec = simulate::run(&s).filter(|t| t.tick == 0 || t.state.timesteps == 0);
+                for row in &shown {
+                    let mut wanted = spec.next().unwrap().state.drones;
+                    wanted.truncate(row.len());
+                    assert_eq!(*row, wanted, "{name} {seed:?}");
+                    compared += 1;
+                }
+                let setup = projection::Setup { ticks: 30, exchange_every: 1, ratio: None };
+                let pairs = projection::run(&s, setup).unwrap();
+                assert_eq!(pairs.len(), 31);
+                assert!(pairs.iter().all(|p| p.difference().is_none()), "{name} {seed:?}");
+                let seldom = projection::Setup { exchange_every: 31, ..setup };
+                let differs = projection::run(&s, seldom).unwrap();
+                assert!(differs.iter().any(|p| p.difference().is_some()), "{name} {seed:?}");
+            }
+        }
+        assert_eq!(compared, 6 * 3 * 13);
+        // Another seed, another run.
+        let own = |seed| {
+            let file = read_system("coverage-late", 4);
+            Own::new("f".into(), file, &BTreeMap::new(), seed).unwrap()
+        };
+        let differ = (1..20).filter(|k| own(Some(1)).map(*k) != own(Some(2)).map(*k)).count();
+        assert!(differ > 10, "{differ}");
+        assert!(own(None).choices().unwrap().contains("no message is late"));
+    }
+
+    fn read_system(name: &str, agents: usize) -> System {
+        crate::protocol::read(Path::new(&file(name))).unwrap().with_agents(agents).unwrap()
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        let coverage = file("coverage");
+        let said = |rest: &str| {
+            let text = format!("protocol = '{coverage}'\n{rest}");
+            parse("test", &text).unwrap().finish().unwrap_err().to_string()
+        };
+        let start = "start = [0, 0.5, 1]\n";
+        for (rest, wanted) in [
+            (start.to_owned(), "parameters.eps: `0..1/2`: expected one value"),
+            (format!("{start}weight = 1\n[parameters]\ngain = 2"), "parameters.gain: no parameter"),
+            (format!("{start}weight = 1\n[parameters]\neps = 2"), "given as weight too"),
+            (format!("{start}weight = 1\nmin = 0"), "min: not a field"),
+            ("weight = 1\nspread_to = 4\nmax = 1".to_owned(), "not a field"),
+            ("weight = 1".to_owned(), "start (x0,x1,...) is missing"),
+            ("start = [0, 1]\nweight = 1".to_owned(), "agents: `2`: expected 3 to"),
+            (format!("{start}drones = 4\nweight = 1"), "3 numbers given: expected 1 for each"),
+        ] {
+            assert!(said(&rest).contains(wanted), "{rest}: {}", said(&rest));
+        }
+        let twin = format!("protocol = '{coverage}'\n{start}[parameters]\neps = \"1/4\"");
+        let accepted = scenario(&twin);
+        assert_eq!(accepted.weight, q(1, 4));
+        let platoon = format!("protocol = '{}'\nstart = [0, 1]", file("platoon"));
+        let said = parse("test", &platoon).unwrap().finish().unwrap_err().to_string();
+        assert!(said.contains("agents: `1`"), "{said}");
+        // Beside the scenario file, wherever the program runs.
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios");
+        let beside = folder.join("own-flight.toml");
+        let text = "protocol = \"own/coverage.toml\"\nstart = [0, 1, 3]\nweight = 0.1";
+        let found = parse(&beside.display().to_string(), text).unwrap().protocol.unwrap();
+        assert!(found.ends_with("scenarios/own/coverage.toml"), "{found}");
+        assert!(read(Path::new("no-such.toml")).is_err());
+    }
+}

@@ -1,0 +1,112 @@
+//! Claims of a protocol file checked along a run.
+
+use std::collections::BTreeMap;
+
+use super::{Counted, Selection, select};
+use crate::scenario::{Own, Scenario};
+use cordon_core::exact::fraction;
+use cordon_core::system::{Claim, Parameter};
+use cordon_core::{Error, Outcome, Rational, Result};
+
+/// What a check found of one claim, as it is written in the file, along one run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CheckedClaim {
+    /// Its place in the file, from 1.
+    pub number: usize,
+    /// As written.
+    pub text: String,
+    /// Whether it holds, at every step that it is about.
+    pub holds: BTreeMap<u64, bool>,
+    /// The first violation: its step, and what fails there in words.
+    pub first_violation: Option<(u64, String)>,
+}
+
+impl CheckedClaim {
+    /// Refuted where a step violates the claim.
+    pub fn outcome(&self) -> Outcome {
+        if self.first_violation.is_some() { Outcome::Refuted } else { Outcome::Holds }
+    }
+}
+
+/// A claim as written stands for one comparison or several, one a choice of agents.
+fn written(claim: &Claim) -> &str {
+    let text = claim.predicate.text.as_str();
+    text.rsplit_once(" (i = ").map_or(text, |(written, _)| written)
+}
+
+/// Checks claims at every protocol step from 0 to `last`: those with the given numbers, or all.
+///
+/// # Errors
+/// No protocol file runs, a number that no claim has, or a start that the file does not assume.
+pub fn check_claims(
+    scenario: &Scenario,
+    numbers: Option<&[usize]>,
+    last: u64,
+) -> Result<Vec<CheckedClaim>> {
+    let own = scenario.own().ok_or_else(|| Error::internal("claims without a protocol file"))?;
+    let system = &own.system;
+    let start = scenario.whole_start();
+    if let Some(broken) = system.starts.iter().find(|p| !p.holds(&start)) {
+        return Err(Error::input(format!(
+            "start: does not meet `{}`: expected a start that the protocol assumes",
+            broken.text
+        )));
+    }
+    let mut groups: Vec<(CheckedClaim, Vec<&Claim>)> = Vec::new();
+    for claim in &system.claims {
+        let text = written(claim);
+        match groups.last_mut().filter(|(found, _)| found.text == text) {
+            Some((_, group)) => group.push(claim),
+            None => {
+                let (number, text) = (groups.len() + 1, text.to_owned());
+                let holds = BTreeMap::new();
+                let found = CheckedClaim { number, text, holds, first_violation: None };
+                groups.push((found, vec![claim]));
+            }
+        }
+    }
+    if let Some(wrong) = numbers.iter().copied().flatten().find(|n| !(1..=groups.len()).contains(n))
+    {
+        return Err(Error::input(format!(
+            "check: `{wrong}`: expected `all` or numbers of the file's claims, 1 to {}",
+            groups.len()
+        )));
+    }
+    groups.retain(|(found, _)| numbers.is_none_or(|numbers| numbers.contains(&found.number)));
+    for row in select(scenario, Selection { unit: Counted::Steps, from: 0, to: last, every: 1 })? {
+        let state = row.positions.lowest();
+        let step = usize::try_from(row.step).unwrap_or(usize::MAX);
+        for (found, group) in &mut groups {
+            let about: Vec<_> = group.iter().filter(|c| c.is_about(step)).collect();
+            if about.is_empty() {
+                continue;
+            }
+            let broken = about.iter().find(|c| !c.predicate.holds(&state));
+            found.holds.insert(row.step, broken.is_none());
+            if let (Some(claim), None) = (broken, &found.first_violation) {
+                found.first_violation = Some((row.step, violation(claim, row.step, &state)));
+            }
+        }
+    }
+    Ok(groups.into_iter().map(|(found, _)| found).collect())
+}
+
+fn violation(claim: &Claim, step: u64, state: &[Rational]) -> String {
+    let by = match claim.predicate.is.form.at(state) {
+        Some(difference) if difference == Rational::default() => "its sides are equal".to_owned(),
+        Some(difference) if difference < Rational::default() => {
+            format!("missed by {}", fraction(&-difference))
+        }
+        Some(difference) => format!("missed by {}", fraction(&difference)),
+        None => "missed".to_owned(),
+    };
+    let agent = claim.predicate.text.rsplit_once(" (").map_or("", |(_, agent)| agent);
+    let agent = agent.strip_suffix(')').map_or_else(String::new, |agent| format!(", {agent}"));
+    format!("at step {step}{agent}: {by}")
+}
+
+/// The parameters whose values in a run are outside the file's ranges: about those the file claims
+/// nothing.
+pub fn out_of_range(own: &Own) -> impl Iterator<Item = &Parameter> {
+    own.values().filter(|(p, value)| !(&p.low..=&p.high).contains(value)).map(|(p, _)| p)
+}

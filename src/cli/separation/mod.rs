@@ -1,0 +1,246 @@
+//! `cordon separation`.
+
+mod gaps;
+mod show;
+pub mod threshold;
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use num_traits::{Signed, Zero};
+use serde_json::Value;
+
+use self::gaps::{Gap, smallest};
+use super::cosim::FlightArgs;
+use super::scenario_args::ScenarioArgs;
+use super::select::OutputFormat;
+use cordon_core::{Error, Evidence, Outcome, Rational, Result, exact};
+use cordon_cosim::closed_loop::{ClosedLoop, Tuning};
+use cordon_cosim::cosimulation::Cosimulation;
+use cordon_proof::certificate;
+use cordon_proof::separation::desired::{Update, smallest_gap};
+use cordon_proof::separation::{
+    Cone, Finding, Mass, Negative, Response, decide, negative_mass, nonnegative,
+};
+use cordon_run::scenario::Protocol;
+
+/// Arguments of `cordon separation`.
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    #[command(flatten)]
+    scenario: ScenarioArgs,
+    #[command(flatten)]
+    flight: FlightArgs,
+    /// Wind on every drone, each its own and changing as it likes: at most W m/s2 of acceleration
+    #[arg(long, value_name = "W", allow_hyphen_values = true)]
+    wind: Option<String>,
+    /// Folder for the certificates
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    format: OutputFormat,
+}
+
+/// What is known of the gaps of a scenario in flight.
+struct Report<'s> {
+    swarm: &'s Cosimulation,
+    /// The smallest gap of the start, desired or actual, and the largest.
+    smallest: Gap,
+    largest: Rational,
+    wind: Option<Wind>,
+    flight: Flight,
+    /// What no gap falls below, if that is positive or not; `None` where nothing is known.
+    gap: Option<Rational>,
+    evidence: Evidence,
+    files: Vec<String>,
+    certificates: usize,
+}
+
+/// Wind, and what it costs of every gap.
+struct Wind {
+    most: Rational,
+    costs: Rational,
+}
+
+/// How desired gaps become actual ones.
+enum Flight {
+    /// By convex combinations.
+    Convex(Cone),
+    /// By combinations with some negative weights.
+    Partly(Negative, Box<Mass>),
+    /// Not known.
+    Unknown(Option<Negative>),
+}
+
+/// Certifies the smallest gap.
+pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    let swarm = args.flight.swarm(&args.scenario)?;
+    let wind = args.wind.as_deref().map(|w| exact::parse("wind", w)).transpose()?;
+    if let Some(w) = wind.as_ref().filter(|w| w.is_negative()) {
+        return Err(Error::input(format!("wind: `{w}`: expected 0 or more m/s2")));
+    }
+    args.scenario.in_file(applies(&swarm))?;
+    let Judged { mut report, certificates } = judged(&swarm, wind)?;
+    if let Some(folder) = &args.out {
+        for (name, page) in &certificates {
+            let path = certificate::write(folder, name, page)?;
+            report.files.push(path.display().to_string());
+        }
+    }
+    match args.format {
+        OutputFormat::Text => show::text(&report, out)?,
+        OutputFormat::Json => writeln!(out, "{:#}", show::json(&report))?,
+    }
+    Ok(match &report.gap {
+        Some(gap) if gap.is_positive() => Outcome::Holds,
+        _ => Outcome::Inconclusive,
+    })
+}
+
+/// The gap that no two drones fall below, where `cordon separation` finds one at once: where the
+/// response is never negative.
+pub(super) fn known_gap(swarm: &Cosimulation) -> Option<Rational> {
+    let one_by_one = swarm.order.is_some();
+    if applies(swarm).is_err() || !gaps::kept(swarm.count(), &swarm.scenario.weight, one_by_one) {
+        return None;
+    }
+    let response = response(&ClosedLoop::of(&tuning(swarm)).ok()?, false);
+    let Finding::NonNegative(_) = decide(&response) else { return None };
+    let (smallest, _) = smallest(&swarm.scenario.start, &swarm.start);
+    Some(smallest.size).filter(Signed::is_positive)
+}
+
+/// Refuses what nothing is known about.
+fn applies(swarm: &Cosimulation) -> Result<()> {
+    let Protocol::Coverage { .. } = &swarm.scenario.protocol else {
+        return Err(Error::input(format!(
+            "protocol: `{}`: expected `coverage`: only there the smallest gap never falls",
+            swarm.scenario.protocol.name()
+        )));
+    };
+    if let Some(unit) = swarm.units.first() {
+        return Err(Error::input(format!(
+            "unit: `{}`: expected units of this program: drones that differ are no one linear system",
+            unit.fmu.display()
+        )));
+    }
+    if !swarm.faults.is_empty() {
+        return Err(Error::input(
+            "fault: expected none: where messages are lost or late the smallest gap may fall",
+        ));
+    }
+    Ok(())
+}
+
+/// A report, with the certificates by their names.
+struct Judged<'s> {
+    report: Report<'s>,
+    certificates: Vec<(String, Value)>,
+}
+
+fn judged(swarm: &Cosimulation, wind: Option<Rational>) -> Result<Judged<'_>> {
+    let found = ClosedLoop::of(&tuning(swarm))?;
+    let response = response(&found, wind.is_some());
+    let (smallest, largest) = smallest(&swarm.scenario.start, &swarm.start);
+    let mut certificates = Vec::new();
+    let update = if swarm.order.is_some() { Update::OneByOne } else { Update::AtOnce };
+    let eps = &swarm.scenario.weight;
+    let kept = gaps::kept(swarm.count(), eps, swarm.order.is_some());
+    let mut evidence = Evidence::Certified;
+    if kept {
+        let page = smallest_gap(&swarm.scenario.start, eps, &smallest.size, update);
+        push(&mut certificates, "desired", page, &mut evidence);
+    }
+    let flight = match decide(&response) {
+        Finding::NonNegative(cone) => {
+            push(&mut certificates, "response", nonnegative(&response, &cone), &mut evidence);
+            Flight::Convex(cone)
+        }
+        Finding::Negative(sample) if wind.is_none() => match negative_mass(&response) {
+            Some(mass) => {
+                let page = nonnegative(&mass.bounded, &mass.cone);
+                push(&mut certificates, "tail", page, &mut evidence);
+                evidence = Evidence::Inductive;
+                Flight::Partly(sample, Box::new(mass))
+            }
+            None => Flight::Unknown(Some(sample)),
+        },
+        Finding::Negative(sample) => Flight::Unknown(Some(sample)),
+        Finding::Undecided => Flight::Unknown(None),
+    };
+    for (name, page) in std::mem::take(&mut certificates) {
+        match certificate::judged(&page) {
+            Ok(_) => certificates.push((name, page)),
+            // Beyond what the checker reads.
+            Err(Error::Input(_)) => evidence = Evidence::Inductive,
+            Err(e) => return Err(e),
+        }
+    }
+    let two = Rational::from_integer(2.into());
+    // A steady wind of 1 m/s2 carries a drone as far as the trim says.
+    let shift = found.trim.first().cloned().unwrap_or_default();
+    let wind = wind.map(|most| Wind { costs: two * &most * shift, most });
+    let costs = wind.as_ref().map_or_else(Rational::zero, |w| w.costs.clone());
+    let gap = match &flight {
+        _ if !kept => None,
+        Flight::Convex(_) => Some(&smallest.size - costs),
+        Flight::Partly(_, mass) => {
+            Some(&smallest.size - &mass.negative * (&largest - &smallest.size))
+        }
+        Flight::Unknown(_) => None,
+    };
+    let count = certificates.len();
+    let files = Vec::new();
+    let report = Report {
+        swarm,
+        smallest,
+        largest,
+        wind,
+        flight,
+        gap,
+        evidence,
+        files,
+        certificates: count,
+    };
+    Ok(Judged { report, certificates })
+}
+
+/// Adds a certificate. Where there is none, what was found was judged exactly, by the search alone.
+fn push(all: &mut Vec<(String, Value)>, name: &str, page: Option<Value>, evidence: &mut Evidence) {
+    match page {
+        Some(page) => all.push((name.to_owned(), page)),
+        None => *evidence = Evidence::Inductive,
+    }
+}
+
+fn tuning(swarm: &Cosimulation) -> Tuning {
+    Tuning {
+        lambda_p: swarm.lambda_p.clone(),
+        lambda_a: swarm.lambda_a.clone(),
+        tau: swarm.grid.tau().clone(),
+        integrator: swarm.integrator,
+        algorithm: swarm.algorithm,
+    }
+}
+
+/// What may never be negative, so that a drone flies along convex combinations: its place at and
+/// between grid points, in response to a command, to its start and, with wind, to pushes; and
+/// what is missing from where a steady wind carries it.
+fn response(found: &ClosedLoop, wind: bool) -> Response {
+    let mut starts = vec![
+        ("command".to_owned(), found.command.clone()),
+        ("start".to_owned(), found.rest.clone()),
+    ];
+    if wind {
+        let names = ["push", "earlyPush"].map(str::to_owned);
+        starts.extend(names.into_iter().zip(found.pushes.iter().cloned()));
+        starts.push(("steadyWind".to_owned(), found.trim.clone()));
+    }
+    Response {
+        state: found.state.iter().map(|name| (*name).to_owned()).collect(),
+        matrix: found.matrix.clone(),
+        starts,
+        readouts: found.places.clone(),
+    }
+}

@@ -1,0 +1,179 @@
+//! `cordon threshold --property separation`.
+
+use std::io::Write;
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use super::response;
+use crate::cli::select::OutputFormat;
+use cordon_core::exact::{decimal_string, fraction, parse};
+use cordon_core::{Error, Evidence, Outcome, Rational, Result};
+use cordon_cosim::closed_loop::{ClosedLoop, Tuning};
+use cordon_cosim::master::Algorithm;
+use cordon_cosim::plant::Integrator;
+use cordon_proof::certificate;
+use cordon_proof::threshold::separation::{Bracket, Side, bracket};
+use num_traits::Signed;
+
+/// The flags of a gain's threshold.
+#[derive(clap::Args, Debug)]
+pub struct LoopArgs {
+    /// Gain lambda_A in 1/s, up to 1000
+    #[arg(long, value_name = "GAIN", default_value = "4", help_heading = "Separation")]
+    lambda_a: String,
+    /// Communication step in seconds
+    #[arg(long, value_name = "SECONDS", default_value = "1/20", help_heading = "Separation")]
+    tau: String,
+    /// Plant integrator: euler or exact
+    #[arg(long, value_name = "NAME", default_value = "euler", help_heading = "Separation")]
+    integrator: String,
+    /// Master: jacobi or gauss-seidel
+    #[arg(long, value_name = "NAME", default_value = "jacobi", help_heading = "Separation")]
+    master: String,
+}
+
+/// Decimal places of the bracket without `--digits`, and the most.
+const DIGITS: usize = 2;
+const MOST_DIGITS: usize = 4;
+
+/// Decimal places of a sample.
+const VALUE_PLACES: usize = 15;
+
+impl LoopArgs {
+    fn tuning(&self) -> Result<Tuning> {
+        let positive = |what: &str, text: &str| {
+            let x = parse(what, text)?;
+            match x.is_positive() {
+                true => Ok(x),
+                false => Err(Error::input(format!("{what}: `{x}`: expected a positive number"))),
+            }
+        };
+        let lambda_a = positive("lambda-a", &self.lambda_a)?;
+        if lambda_a > Rational::from_integer(1000.into()) {
+            return Err(Error::input(format!("lambda-a: `{lambda_a}`: expected at most 1000")));
+        }
+        let unknown = |what: &str, given: &str, known: &str| {
+            Error::input(format!("{what}: `{given}`: expected {known}"))
+        };
+        Ok(Tuning {
+            lambda_p: lambda_a.clone(),
+            lambda_a,
+            tau: positive("tau", &self.tau)?,
+            integrator: Integrator::named(&self.integrator)
+                .ok_or_else(|| unknown("integrator", &self.integrator, "`euler` or `exact`"))?,
+            algorithm: Algorithm::named(&self.master)
+                .ok_or_else(|| unknown("master", &self.master, "`jacobi` or `gauss-seidel`"))?,
+        })
+    }
+}
+
+/// Brackets the gain.
+pub(in crate::cli) fn run(
+    flags: &LoopArgs,
+    digits: Option<usize>,
+    folder: Option<&Path>,
+    format: OutputFormat,
+    out: &mut dyn Write,
+) -> Result<Outcome> {
+    let digits = digits.unwrap_or(DIGITS);
+    if !(1..=MOST_DIGITS).contains(&digits) {
+        return Err(Error::input(format!(
+            "digits: `{digits}`: expected a number from 1 to {MOST_DIGITS} for a gain"
+        )));
+    }
+    let tuning = flags.tuning()?;
+    let found = bracket(&tuning.lambda_a, digits, |gain| {
+        let tuned = Tuning { lambda_p: gain.clone(), ..tuning.clone() };
+        Ok(response(&ClosedLoop::of(&tuned)?, false))
+    })?;
+    let pages = [
+        ("separation-below", found.below.as_ref().map(|side| &side.certificate)),
+        ("separation-above", found.above.as_ref().map(|side| &side.certificate)),
+    ];
+    let mut files = Vec::new();
+    if let Some(folder) = folder {
+        for (name, page) in pages.iter().filter_map(|(name, page)| Some((name, (*page)?))) {
+            files.push(certificate::write(folder, name, page)?.display().to_string());
+        }
+    }
+    match format {
+        OutputFormat::Text => text(&tuning, digits, &found, &files, out)?,
+        OutputFormat::Json => writeln!(out, "{:#}", as_json(&tuning, digits, &found, &files))?,
+    }
+    let both = found.below.is_some() && found.above.is_some();
+    Ok(if both { Outcome::Holds } else { Outcome::Inconclusive })
+}
+
+fn text(
+    tuning: &Tuning,
+    digits: usize,
+    found: &Bracket,
+    files: &[String],
+    out: &mut dyn Write,
+) -> Result<()> {
+    writeln!(
+        out,
+        "separation in flight, lambda_A = {}, tau = {} s, {} plant, {} master: critical lambda_P",
+        fraction(&tuning.lambda_a),
+        fraction(&tuning.tau),
+        tuning.integrator.name(),
+        tuning.algorithm.name()
+    )?;
+    match &found.below {
+        Some(Side { gain, found: cone, .. }) => writeln!(
+            out,
+            "  below  at lambda_P = {} no sample of the response is negative: a cone of {} rows, entered after {} steps",
+            decimal_string(gain, digits),
+            cone.rows.len(),
+            cone.entered
+        )?,
+        None => {
+            writeln!(out, "  below  no gain was found at which the response is never negative")?
+        }
+    }
+    match &found.above {
+        Some(Side { gain, found: sample, .. }) => writeln!(
+            out,
+            "  above  at lambda_P = {} sample h_{} of the response is negative: {}",
+            decimal_string(gain, digits),
+            sample.step + 1,
+            decimal_string(&sample.value, VALUE_PLACES)
+        )?,
+        None => writeln!(out, "  above  no gain was found at which a sample is negative")?,
+    }
+    let number = [found.below.is_some(), found.above.is_some()].iter().filter(|x| **x).count();
+    writeln!(out, "  checked: {number} certificates accepted by the independent checker")?;
+    for file in files {
+        writeln!(out, "  wrote  {file}")?;
+    }
+    Ok(())
+}
+
+fn as_json(tuning: &Tuning, digits: usize, found: &Bracket, files: &[String]) -> Value {
+    json!({
+        "schema": "cordon-threshold/1",
+        "property": "separation",
+        "lambda_a": fraction(&tuning.lambda_a),
+        "tau": fraction(&tuning.tau),
+        "integrator": tuning.integrator.name(),
+        "master": tuning.algorithm.name(),
+        "digits": digits,
+        "critical": null,
+        "exact": false,
+        "below": found.below.as_ref().map(|side| json!({
+            "lambda_p": fraction(&side.gain),
+            "evidence": Evidence::Certified,
+            "rows": side.found.rows.len(),
+            "entered": side.found.entered,
+        })),
+        "above": found.above.as_ref().map(|side| json!({
+            "lambda_p": fraction(&side.gain),
+            "evidence": Evidence::Certified,
+            // The first sample, h_1, is the one after the command's own step.
+            "sample": side.found.step + 1,
+            "value": decimal_string(&side.found.value, VALUE_PLACES),
+        })),
+        "files": files,
+    })
+}

@@ -359,7 +359,8 @@ fn numbers_beyond_the_checkers_limits_are_named() {
 fn a_long_refutation_is_shown_by_its_ends() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("slow.toml");
-    let text = "agents = 1\nstart = [\"x0 = 0\"]\nclaims = [\"x0 < 300\"]\n[rules]\n0 = \"x0 + 1\"\n";
+    let text =
+        "agents = 1\nstart = [\"x0 = 0\"]\nclaims = [\"x0 < 300\"]\n[rules]\n0 = \"x0 + 1\"\n";
     std::fs::write(&file, text).unwrap();
     let file = file.display().to_string();
     let start = ["refute", "--protocol", &file, "--steps", "400", "--start", "0"];

@@ -110,12 +110,13 @@ pub fn tiers(context: Context<'_>) -> Vec<Box<dyn Tier>> {
         Box::new(certificates::Certificates::new(context.root)),
         Box::new(external::rocq(context)),
         Box::new(external::lean(context)),
+        Box::new(external::creusot(context)),
     ]
 }
 
 /// The names of [`tiers`], in their order.
-pub const NAMES: [&str; 8] =
-    ["simulated", "grid", "complete", "kani", "smt", "certificate", "rocq", "lean"];
+pub const NAMES: [&str; 9] =
+    ["simulated", "grid", "complete", "kani", "smt", "certificate", "rocq", "lean", "creusot"];
 
 /// This program, as a tool.
 fn this_program() -> String {

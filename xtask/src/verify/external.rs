@@ -57,7 +57,8 @@ const LEAN: Tool = Tool {
 /// The spec's own Rust, with its contracts.
 const CREUSOT: Tool = Tool {
     name: "creusot",
-    kind: Evidence::Mechanised,
+    // Proved by solvers, and by no kernel.
+    kind: Evidence::Inductive,
     folder: "proofs/creusot",
     directory: "spec",
     program: "cargo",

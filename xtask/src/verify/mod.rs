@@ -107,16 +107,16 @@ pub fn tiers(context: Context<'_>) -> Vec<Box<dyn Tier>> {
         Box::new(sweeps::Complete),
         Box::new(model_checked::ModelChecked::new(context)),
         Box::new(smt::Smt),
+        Box::new(external::creusot(context)),
         Box::new(certificates::Certificates::new(context.root)),
         Box::new(external::rocq(context)),
         Box::new(external::lean(context)),
-        Box::new(external::creusot(context)),
     ]
 }
 
 /// The names of [`tiers`], in their order.
 pub const NAMES: [&str; 9] =
-    ["simulated", "grid", "complete", "kani", "smt", "certificate", "rocq", "lean", "creusot"];
+    ["simulated", "grid", "complete", "kani", "smt", "creusot", "certificate", "rocq", "lean"];
 
 /// This program, as a tool.
 fn this_program() -> String {

@@ -30,8 +30,7 @@ pub fn exec_cvg<S: Scalar>(p: &Params<S>, count: usize, a: &S, b: &S, c: &S, i: 
 }
 
 /// The position of drone `i` (Listing 4, `getx`); `i` is below N.
-#[cfg_attr(feature = "contracts", requires(i@ < s.drones.seq().len()))]
-#[cfg_attr(feature = "contracts", ensures(*result == s.drones.seq()[i@]))]
+#[cfg_attr(feature = "contracts", requires(i@ < s.drones.seq().len()), ensures(*result == s.drones.seq()[i@]))]
 pub fn getx<S, M: DroneMap<S>>(s: &State<M>, i: usize) -> &S {
     &s.drones.as_ref()[i]
 }
@@ -64,8 +63,7 @@ pub fn exec_coverage<S: Scalar, M: DroneMap<S>>(p: &Params<S>, s: &State<M>) -> 
 }
 
 /// The `LAMBDA (i: drone_id)` of Listing 4: the next position of every drone.
-#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
-#[cfg_attr(feature = "contracts", ensures(reals(result.seq()).ext_eq(step(p.model(), reals(drones.seq())))))]
+#[cfg_attr(feature = "contracts", requires(exact::<S>()), ensures(reals(result.seq()).ext_eq(step(p.model(), reals(drones.seq())))))]
 fn next_placement<S: Scalar, M: DroneMap<S>>(p: &Params<S>, drones: &M) -> M {
     let x = drones.as_ref();
     drones.lambda(|i| update(p, x.len(), i, |j| &x[j]))
@@ -73,8 +71,7 @@ fn next_placement<S: Scalar, M: DroneMap<S>>(p: &Params<S>, drones: &M) -> M {
 
 /// One tick: a protocol step when the counter has reached `n`, otherwise only the counter
 /// moves (Listing 4, `tick`). One tick is one co-simulation step of tau seconds.
-#[cfg_attr(feature = "contracts", requires(exact::<S>() && s.timesteps <= p.n))]
-#[cfg_attr(feature = "contracts", ensures(ticked(p.model(), s, result)))]
+#[cfg_attr(feature = "contracts", requires(exact::<S>() && s.timesteps <= p.n), ensures(ticked(p.model(), s, result)))]
 pub fn tick<S: Scalar, M: DroneMap<S>>(p: &Params<S>, s: State<M>) -> State<M> {
     s.tick_with(p.n, |drones| next_placement(p, drones))
 }

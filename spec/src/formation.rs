@@ -1,5 +1,8 @@
 //! Formation control: equation 8 in discrete time.
 
+#[cfg(feature = "contracts")]
+use crate::model::*;
+
 use crate::consensus::pull;
 use crate::graph::Graph;
 use crate::{DroneMap, Scalar};
@@ -7,6 +10,7 @@ use crate::{DroneMap, Scalar};
 /// One formation step: `x' = x + eps*(-L x + b)`, with L the Laplacian of the graph and
 /// `b_i` the sum of the wanted displacements of drone `i` from its neighbours (equation 8,
 /// Euler's rule). `b` has one entry a drone.
+#[cfg_attr(feature = "contracts", requires(b.seq().len() == x.seq().len()))]
 pub fn exec_formation<S: Scalar, G: Graph, M: DroneMap<S>>(eps: &S, graph: &G, x: &M, b: &M) -> M {
     let (x_of, b_of) = (x.as_ref(), b.as_ref());
     x.lambda(|i| x_of[i].clone() + &(eps.clone() * &(pull(graph, x_of, i) + &b_of[i])))

@@ -1,4 +1,4 @@
-//! Tiers whose work is done by a program outside: a proof assistant.
+//! Tiers whose work is done by a program outside: a proof assistant, a verifier of Rust.
 //!
 //! They take minutes, so that they run on request (`--run`) and are otherwise shown by record.
 //! What they claim stands in a table beside their sources: tab-separated, a heading, the
@@ -54,6 +54,19 @@ const LEAN: Tool = Tool {
     sources: &["lean-mirror"],
 };
 
+/// The spec's own Rust, with its contracts.
+const CREUSOT: Tool = Tool {
+    name: "creusot",
+    // Proved by solvers, and by no kernel.
+    kind: Evidence::Inductive,
+    folder: "proofs/creusot",
+    directory: "spec",
+    program: "cargo",
+    arguments: &["creusot", "prove", "-p", "cordon-spec", "--", "--features", "contracts"],
+    version: ["cargo", "creusot", "version"],
+    sources: &["spec/src"],
+};
+
 /// The table of what a tier claims, in its folder.
 const TABLE: &str = "theorems.tsv";
 
@@ -80,6 +93,11 @@ pub fn rocq(context: Context<'_>) -> External {
 /// The Lean mirror.
 pub fn lean(context: Context<'_>) -> External {
     External::new(LEAN, context)
+}
+
+/// The contracts of the spec.
+pub fn creusot(context: Context<'_>) -> External {
+    External::new(CREUSOT, context)
 }
 
 impl External {

@@ -113,6 +113,7 @@ pub fn tiers(context: Context<'_>) -> Vec<Box<dyn Tier>> {
         Box::new(sweeps::Complete),
         Box::new(model_checked::ModelChecked::new(context)),
         Box::new(smt::Smt),
+        Box::new(external::creusot(context)),
         Box::new(certificates::Certificates::new(context.root)),
         Box::new(external::rocq(context)),
         Box::new(external::lean(context)),
@@ -120,8 +121,8 @@ pub fn tiers(context: Context<'_>) -> Vec<Box<dyn Tier>> {
 }
 
 /// The names of [`tiers`], in their order.
-pub const NAMES: [&str; 8] =
-    ["simulated", "grid", "complete", "kani", "smt", "certificate", "rocq", "lean"];
+pub const NAMES: [&str; 9] =
+    ["simulated", "grid", "complete", "kani", "smt", "creusot", "certificate", "rocq", "lean"];
 
 /// This program, as a tool.
 fn this_program() -> String {

@@ -56,8 +56,8 @@ pub use cordon_spec::theorems::{Form, Theorem};
 use cordon_cosim::cosimulation::Cosimulation;
 use cordon_proof::prove::{CLAIMS, Scope};
 use cordon_proof::refute;
-use cordon_run::fast::{Engine, Rule, engine};
-use cordon_run::trace::{self as rows, Counted, Selection};
+use cordon_run::fast::{Engine, Motion};
+use cordon_run::trace::{self as rows, Counted, Selection, shown};
 
 /// The scenario that a TOML text describes.
 ///
@@ -97,8 +97,8 @@ pub fn trace(scenario: &Scenario, last: u64) -> Result<Vec<Vec<Rational>>> {
 /// list for each, one position a drone.
 ///
 /// # Errors
-/// The protocol is neither coverage nor consensus along the line, or the fractions would fill
-/// the memory.
+/// The protocol is neither coverage, nor consensus along the line, nor a protocol file; or the
+/// fractions would fill the memory.
 ///
 /// ```
 /// # fn main() -> cordon::Result<()> {
@@ -111,9 +111,9 @@ pub fn trace(scenario: &Scenario, last: u64) -> Result<Vec<Vec<Rational>>> {
 /// # }
 /// ```
 pub fn jump(scenario: &Scenario, steps: &[u64]) -> Result<Vec<Vec<Rational>>> {
-    let line = Rule::of(scenario)?.line(&scenario.start)?;
-    let answers = engine::positions(&line, steps, Engine::Auto)?;
-    Ok(answers.iter().map(|answer| answer.positions(engine::multiplier())).collect())
+    let last = steps.iter().copied().max().unwrap_or(0);
+    let answers = Motion::of(scenario, last)?.positions(steps, Engine::Auto)?;
+    Ok(answers.into_iter().map(|answer| shown(scenario, answer).lowest()).collect())
 }
 
 /// Checks a theorem at every protocol step of the run from 0 to `last`.

@@ -103,10 +103,10 @@ impl ScenarioArgs {
         let draft = file.replaced_by(flags);
         let (flight, places) = (draft.flight.clone(), draft.places.clone());
         let scenario = draft.finish()?;
-        if let Some(own) = scenario.own() {
-            if let Some(choices) = own.choices() {
-                eprintln!("{}: {choices}", own.file);
-            }
+        if let Some(own) = scenario.own()
+            && let Some(choices) = own.choices()
+        {
+            eprintln!("{}: {choices}", own.file);
         }
         Ok((scenario, flight, places))
     }

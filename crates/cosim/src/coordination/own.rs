@@ -251,7 +251,7 @@ mod tests {
     #[test]
     fn units_fly_the_global_run() {
         let platoon = "start = [0, 0, 0.25, 0, -0.25, 0, 0.25, 0, 0, 0]\nperiod = 2";
-        let coverage = "start = [0, 1, 2, 3, 10]\nweight = 0.2\nperiod = 4\nphase = \"last\"";
+        let coverage = "start = [0, 0.1, 0.2, 0.3, 1]\nweight = 0.2\nperiod = 4\nphase = \"last\"";
         let digraph = "start = [0, 1, 2, 3, 10]\nweight = 0.2";
         let mut compared = 0;
         for (file, rest, variables) in [

@@ -8,7 +8,7 @@ use std::rc::Rc;
 
 use cordon_core::exact::fraction;
 use cordon_core::linear::feasible::{Constraint, Sign};
-use cordon_core::system::{Claim, Mode, Parameter, ParameterKind, Schedule, System};
+use cordon_core::system::{Claim, Map, Mode, Parameter, ParameterKind, Schedule, System};
 use cordon_core::{Error, Rational, Result};
 use num_traits::{Signed, Zero};
 
@@ -141,8 +141,14 @@ impl<'s> Script<'s> {
             }
             values.push(p.fixed().map_or_else(|| symbol(name), number));
         }
+        // Numbers are multiplied here, so that what is linear reads so.
+        let fixed: Option<Vec<Rational>> =
+            self.system.parameters.iter().map(|p| p.fixed().cloned()).collect();
         let moves = |mode: &&Mode| {
-            let next = mode.step(&number, &values, before);
+            let next = match &fixed {
+                Some(fixed) => applied(&mode.at(fixed), before),
+                None => mode.step(&number, &values, before),
+            };
             let mut all = "(and".to_owned();
             for (to, next) in after.iter().zip(next) {
                 // Writing to a string does not fail.
@@ -170,6 +176,15 @@ impl<'s> Script<'s> {
         self.line("(check-sat)");
         self.text
     }
+}
+
+/// A map on terms.
+fn applied(map: &Map, state: &[Term]) -> Vec<Term> {
+    let row = |(constant, row): &(Rational, Vec<(usize, Rational)>)| {
+        let terms = row.iter().filter_map(|(j, a)| Some(number(a) * state.get(*j)?));
+        terms.fold(number(constant), |sum, term| sum + &term)
+    };
+    map.rows.iter().map(row).collect()
 }
 
 fn symbol(name: impl Into<Rc<str>>) -> Term {

@@ -60,7 +60,7 @@ impl Course {
     }
 
     /// Common denominators and growth of the maps that `each` shows.
-    fn over(start: &[Rational], each: &mut dyn FnMut(&mut dyn FnMut(&Map))) -> Self {
+    fn over(start: &[Rational], each: Each<'_>) -> Self {
         let mut den = BigInt::one();
         let mut base = start.iter().fold(BigInt::one(), |base, x| base.lcm(x.denom()));
         each(&mut |map| {
@@ -124,6 +124,9 @@ impl Course {
         self.entries as f64 * k as f64 * (mean * weight + 10.0)
     }
 }
+
+/// Shows what it is given every map of a run.
+type Each<'e> = &'e mut dyn FnMut(&mut dyn FnMut(&Map));
 
 /// The map as a matrix of numerators, the power of Q last.
 fn matrix(map: &Map, base: &BigInt, den: &BigInt) -> Matrix {

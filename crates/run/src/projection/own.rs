@@ -90,8 +90,7 @@ impl Machine {
         let moves = |j: &usize| self.own.contains(j) || *j >= now;
         let next = |j: usize| {
             let (constant, row) = map.rows.get(j)?;
-            let terms = row.iter().map(|(c, a)| Some(a * self.known.get(c)?));
-            terms.fold(Some(constant.clone()), |sum, term| Some(sum? + term?))
+            row.iter().try_fold(constant.clone(), |sum, (c, a)| Some(sum + a * self.known.get(c)?))
         };
         let moved: Vec<(usize, Rational)> = (self.known.keys().copied())
             .filter(moves)

@@ -105,12 +105,11 @@ const LONGEST_DELAY: usize = 10;
 impl Document {
     /// Refuses the keys of the format before `cordon-protocol/1`, naming those in their place.
     pub fn refuse_former_keys(&self, source: &Source<'_>) -> Result<()> {
-        if let Some(format) = &self.format {
-            if format.get_ref() != "cordon-protocol/1" {
-                let message =
-                    format!("format: `{}`: expected `cordon-protocol/1`", format.get_ref());
-                return Err(source.error(&format.span(), &message));
-            }
+        if let Some(format) = &self.format
+            && format.get_ref() != "cordon-protocol/1"
+        {
+            let message = format!("format: `{}`: expected `cordon-protocol/1`", format.get_ref());
+            return Err(source.error(&format.span(), &message));
         }
         let former = [
             ("drones", &self.drones, "`agents = 5`, or `agents = \"3..\"` for every number"),

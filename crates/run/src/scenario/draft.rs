@@ -225,12 +225,10 @@ impl Draft {
             )));
         }
         let mut given = self.parameters.clone();
-        if let Some(weight) = &self.weight {
-            if given.insert("eps".to_owned(), weight.clone()).is_some() {
-                return Err(Error::input(
-                    "parameters.eps: given as weight too: expected one of them",
-                ));
-            }
+        if let Some(weight) = &self.weight
+            && given.insert("eps".to_owned(), weight.clone()).is_some()
+        {
+            return Err(Error::input("parameters.eps: given as weight too: expected one of them"));
         }
         let own = Own::new(path.to_owned(), file.with_agents(agents)?, &given, self.choices)?;
         Ok((own, start.clone()))

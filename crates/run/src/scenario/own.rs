@@ -149,7 +149,7 @@ impl Own {
                     }
                 }
                 (None, Some(bits)) => {
-                    let part = BigInt::from(u128::from(bits) * u128::from(PARTS + 1) >> 64);
+                    let part = BigInt::from((u128::from(bits) * u128::from(PARTS + 1)) >> 64);
                     let part = Rational::new(part, PARTS.into());
                     &p.low + (&p.high - &p.low) * part
                 }

@@ -17,7 +17,7 @@ pub enum Sort {
 }
 
 /// What is said of a polynomial.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Relation {
     /// It is above 0.
     Positive,
@@ -28,7 +28,7 @@ pub enum Relation {
 }
 
 /// A polynomial and its relation to 0.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Literal {
     /// The polynomial.
     pub poly: Poly,
@@ -82,6 +82,7 @@ impl Signature {
     }
 
     fn sort(&self, name: &str, vars: &Vars) -> Option<Sort> {
+        charge(vars.len() as u64);
         let bound = vars.iter().find(|(v, _)| **v == *name).map(|(_, sort)| *sort);
         bound.or_else(|| self.constants.get(name).copied())
     }

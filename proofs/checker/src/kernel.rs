@@ -51,7 +51,8 @@ impl Clause {
     }
 
     fn size(&self) -> u64 {
-        self.given.values().chain([&self.goal]).map(|l| 1 + l.poly.size()).sum()
+        let literals = self.given.values().chain([&self.goal]);
+        self.vars.len() as u64 + literals.map(|l| 1 + l.poly.size()).sum::<u64>()
     }
 }
 
@@ -80,8 +81,10 @@ type Facts = BTreeMap<Rc<str>, Literal>;
 pub struct Kernel {
     /// The names that clauses may use.
     pub signature: Signature,
-    /// Clauses by name; those without variables and literals given are facts everywhere.
+    /// Clauses by name.
     lemmas: BTreeMap<Rc<str>, Clause>,
+    /// Those without variables and literals given: facts everywhere.
+    closed: Facts,
 }
 
 /// Where a proof stands: hypotheses of inductions around it, and the variables they hold fixed.
@@ -97,6 +100,9 @@ impl Kernel {
     /// # Errors
     /// It is no name, or taken.
     pub fn fresh(&self, name: &str, vars: &Vars) -> Result<Rc<str>> {
+        if !charge(128 + vars.len() as u64) {
+            return fault("work", "more than a file is allowed");
+        }
         let letters = name.starts_with(|c: char| c.is_ascii_alphabetic())
             && name.bytes().all(|b| b.is_ascii_alphanumeric());
         let taken = name == "last"
@@ -114,6 +120,9 @@ impl Kernel {
     /// # Errors
     /// There is one of that name.
     pub fn add(&mut self, name: &str, clause: Clause) -> Result<()> {
+        if clause.vars.is_empty() && clause.given.is_empty() {
+            self.closed.insert(name.into(), clause.goal.clone());
+        }
         let taken = self.lemmas.insert(name.into(), clause).is_some();
         if taken { fault("name", format!("`{name:.40}` is there twice")) } else { Ok(()) }
     }
@@ -190,7 +199,7 @@ impl Kernel {
         let (by, sum) = d.scale.as_ref().map_or(("1", "1"), |s| (&s.by, &s.sum));
         let scale = self.poly(by, &vars, false)?;
         let goal = Literal { poly: scale.clone(), relation: Positive };
-        self.sum(&goal, &[], sum, &self.facts(&given), &vars)?;
+        self.sum(&goal, &[], sum, &given, &vars)?;
         let mut bases = Vec::new();
         for (j, base) in (0..).zip(&d.base) {
             let at = value(&(start.clone() + &Poly::whole(j)));
@@ -200,7 +209,7 @@ impl Kernel {
         self.signature.functions.insert(name.clone(), (vars.len(), Sort::Real));
         let step = self.poly(&d.step, &vars, false)?;
         let here = last.map_or_else(Poly::default, |v| Poly::var(&v));
-        let values: Vec<Poly> =
+        let values: BTreeSet<Poly> =
             (0..).take(d.base.len()).map(|j| value(&(here.clone() + &Poly::whole(j)))).collect();
         let known = |a: &Atom| values.contains(&Poly::atom(a.clone()));
         let other = step.substitute(&|a| known(a).then(Poly::default));
@@ -219,13 +228,6 @@ impl Kernel {
         words.push(clause.to_string());
         self.add(&format!("{name}.step"), clause)?;
         Ok(words.join(" and "))
-    }
-
-    /// The facts in force where these literals are given.
-    fn facts(&self, given: &Facts) -> Facts {
-        let closed = self.lemmas.iter().filter(|(_, c)| c.vars.is_empty() && c.given.is_empty());
-        let closed = closed.map(|(n, c)| (n.clone(), c.goal.clone()));
-        closed.chain(given.iter().map(|(n, l)| (n.clone(), l.clone()))).collect()
     }
 
     /// Checks the proof of a clause.
@@ -255,7 +257,7 @@ impl Kernel {
     /// Rule *positivity*, and *absurd*: the goal follows from the facts, instances of lemmas
     /// among them, by [`Self::sum`].
     fn positivity(&self, clause: &Clause, p: &Positivity, context: &Context) -> Result<()> {
-        let mut facts = self.facts(&clause.given);
+        let mut facts = clause.given.clone();
         for instance in &p.instances {
             let rule = "instance";
             let lemma = context.hypotheses.get(&*instance.lemma);
@@ -283,6 +285,9 @@ impl Kernel {
                 let sum = field(&instance.given, name)?;
                 self.sum(literal, &[], sum, &facts, &clause.vars)?;
             }
+            if self.closed.contains_key(&*instance.name) {
+                return fault("name", format!("the fact `{:.40}` is there twice", instance.name));
+            }
             insert(&mut facts, &instance.name, lemma.goal)?;
         }
         self.sum(&clause.goal, &p.times, &p.sum, &facts, &clause.vars)
@@ -300,9 +305,10 @@ impl Kernel {
         vars: &Vars,
     ) -> Result<()> {
         const RULE: &str = "positivity";
+        let fact = |name: &str| facts.get(name).or_else(|| self.closed.get(name));
         let mut left = goal.poly.clone();
         for name in times {
-            match facts.get(&**name) {
+            match fact(name) {
                 Some(Literal { poly, relation: Positive }) => left = left * poly,
                 _ => return fault(RULE, format!("`{name:.40}` is no positive fact")),
             }
@@ -317,7 +323,7 @@ impl Kernel {
                     facts_only = false;
                     continue;
                 };
-                product = match (facts.get(name).map(|l| l.relation), product) {
+                product = match (fact(name).map(|l| l.relation), product) {
                     (None, _) => return fault(RULE, format!("no fact `{name:.40}`")),
                     (Some(Zero), _) | (_, Zero) => Zero,
                     (Some(NonNegative), _) => NonNegative,
@@ -340,7 +346,7 @@ impl Kernel {
             return fault(RULE, "no product that is above 0, as the goal has to be");
         }
         let right = sum.substitute(&|a| match a {
-            Atom::Fact(name) => facts.get(name).map(|l| l.poly.clone()),
+            Atom::Fact(name) => fact(name).map(|l| l.poly.clone()),
             _ => None,
         });
         let rest = left - &right;

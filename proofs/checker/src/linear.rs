@@ -97,17 +97,18 @@ impl<'c> System<'c> {
     /// The forms at each vertex of the box of the parameters that occur in them: lower ends first,
     /// the last parameter by name changing fastest. A range that is a point counts once.
     fn vertices(&self, forms: &[Poly]) -> Result<Vec<Vec<Poly>>> {
+        let names = |f: &Poly| f.terms().flat_map(|(m, _)| m.clone()).collect::<Vec<_>>();
+        let occur: BTreeSet<Atom> = forms.iter().flat_map(names).collect();
         let mut all = vec![forms.to_vec()];
-        for (name, [low, high]) in &self.written.parameters.0 {
-            if !forms.iter().any(|f| f.has(name)) {
-                continue;
-            }
+        for atom in &occur {
+            let Atom::Var(name) = atom else { continue };
+            let Some([low, high]) = self.written.parameters.0.get(&**name) else { continue };
             if !charge(128 * all.len() as u64) {
                 return fault("work", "more than a file is allowed");
             }
             let ends = if low == high { vec![low] } else { vec![low, high] };
             let at = |forms: &Vec<Poly>, end: &Number| -> Vec<Poly> {
-                let value = |v: &str| (v == name).then(|| Poly::constant(end.clone()));
+                let value = |v: &str| (*v == **name).then(|| Poly::constant(end.clone()));
                 forms.iter().map(|f| f.with(&value)).collect()
             };
             all = all.iter().flat_map(|f| ends.iter().map(|end| at(f, end))).collect();
@@ -149,13 +150,10 @@ fn follows(
         strict |= fact.relation == Positive && m.is_positive();
         rest = rest - &(Poly::constant(m.clone()) * &fact.poly);
     }
-    if let Some((m, _)) = rest.terms().find(|(m, _)| !m.is_empty()) {
-        return Err(format!(
-            "the multipliers do not give the coefficient of `{:.40}`",
-            m[0].to_string()
-        ));
+    if let Some(atom) = rest.terms().find_map(|(m, _)| m.first()) {
+        return Err(format!("the multipliers do not give the coefficient of {atom}"));
     }
-    let constant = rest.terms().next().map_or(Number::whole(0), |(_, c)| c.clone());
+    let constant = rest.coefficient(&[]);
     match goal.relation {
         Zero if !constant.is_zero() => Err(format!("{constant:.40} is left of the equation")),
         _ if constant < Number::whole(0) => {
@@ -215,16 +213,13 @@ pub fn invariance(c: &Invariance) -> Result<(String, usize)> {
             }
         }
     }
-    let mut claims: Vec<(Literal, BTreeSet<&str>)> = Vec::new();
+    let mut claims: BTreeMap<Literal, Nodes<'_>> = BTreeMap::new();
     for claim in &c.claims {
         let goal = system.literal(&claim.holds)?;
         follows(node(&claim.at)?, &goal, &claim.multipliers)
             .or_else(|why| fault(INVARIANCE, format!("claim at `{:.40}`: {why}", claim.at)))?;
         proved += 1;
-        match claims.iter_mut().find(|(known, _)| *known == goal) {
-            Some((_, at)) => _ = at.insert(&claim.at),
-            None => claims.push((goal, BTreeSet::from([claim.at.as_str()]))),
-        }
+        claims.entry(goal).or_default().insert(&claim.at);
     }
     if claims.is_empty() {
         return fault(INVARIANCE, "nothing is claimed");
@@ -272,7 +267,7 @@ impl<'c> Graph<'c> {
 fn said<'c>(
     c: &'c Invariance,
     system: &System<'c>,
-    claims: &[(Literal, Nodes<'c>)],
+    claims: &BTreeMap<Literal, Nodes<'c>>,
 ) -> Vec<String> {
     let mut graph = Graph(BTreeMap::new());
     for edge in &c.edges {
@@ -323,19 +318,22 @@ fn said<'c>(
             late.push(next);
         }
     }
-    let line = |(goal, at): &(Literal, Nodes<'c>)| {
+    // Claims that hold alike are said together.
+    let mut lines: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for (goal, at) in claims {
         let holds =
             |n: &&str| charge(128) && all.get(n).is_some_and(|(near, _)| !near.is_disjoint(at));
-        match late.iter().position(|nodes| nodes.iter().all(&holds)) {
-            Some(0) => format!("{who}, at every step: {goal}"),
-            Some(k) => format!("{who}, from step {k} on: {goal}"),
-            None => {
-                let at: Vec<&str> = at.iter().copied().collect();
-                format!("{who}, at {}: {goal}", at.join(" and "))
-            }
-        }
-    };
-    claims.iter().map(line).collect()
+        let when = match late.iter().position(|nodes| nodes.iter().all(&holds)) {
+            Some(0) => "at every step".to_owned(),
+            Some(k) => format!("from step {k} on"),
+            None => format!("at {}", at.iter().copied().collect::<Vec<_>>().join(" and ")),
+        };
+        lines.entry(when).or_default().push(goal.to_string());
+    }
+    lines
+        .into_iter()
+        .map(|(when, goals)| format!("{who}, {when}: {}", goals.join(" and ")))
+        .collect()
 }
 
 /// Most readouts: a form of them has as many rows.

@@ -132,7 +132,13 @@ pub fn family(f: &Family, kernel: &mut Kernel) -> Result<String> {
     let classes: &[&str] = if ring { &["all"] } else { &["first", "inner", "last"] };
     let named =
         f.rules.0.len() == classes.len() && classes.iter().all(|c| f.rules.0.contains_key(*c));
-    if !named || f.rules.0.values().flat_map(|r| r.0.keys()).any(|v| !f.state.contains(v)) {
+    if !named
+        || f.rules
+            .0
+            .values()
+            .flat_map(|r| r.0.keys())
+            .any(|v| !b.kernel.signature.functions.contains_key(&**v))
+    {
         return fault("system", format!("expected rules for {}, of variables", classes.join(", ")));
     }
     let (k, i, last) = (var("k"), var("i"), b.last.clone());

@@ -7,14 +7,14 @@ use std::fs;
 use std::path::PathBuf;
 
 use cordon_check::{Verdict, check};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// How many certificates are committed, and how many clauses they prove.
 const CERTIFICATES: usize = 59;
 const PROVED: usize = 344;
 
 /// How many bad ones are.
-const MUST_NOT_PROVE: usize = 316;
+const MUST_NOT_PROVE: usize = 318;
 
 /// Where a file can be rejected (a split cannot fail by itself).
 const RULES: [&str; 14] = [
@@ -129,4 +129,90 @@ fn signs_that_allow_cancellation_are_noticed() {
     // A rotation: no sign pattern helps, and |A| w >= w would prove nothing.
     assert!(!plain(&[&[0, 1], &[-1, 0]]) && !alternating(&[&[0, 1], &[-1, 0]]));
     assert!(!plain(&[&[1, 1], &[1, -1]]) && !alternating(&[&[1, 1], &[1, -1]]));
+}
+
+/// What a verdict says of runs follows from the edges, and no more.
+#[test]
+fn verdicts_say_what_was_shown() {
+    let page = |name: &str| -> Value {
+        let path = folder("certificates").join(format!("{name}.json"));
+        serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
+    };
+    let changed = |name: &str, change: &dyn Fn(&mut Value)| {
+        let mut page = page(name);
+        change(&mut page["certificate"]["invariance"]);
+        page
+    };
+    let as_is = |name: &str| changed(name, &|_| {});
+    let without = |name: &str, edge: usize| {
+        changed(name, &move |c| _ = c["edges"].as_array_mut().unwrap().remove(edge))
+    };
+    // The switching system, its node implying two others, each with the edge of one mode.
+    let shared = |left: &str, right: &str| {
+        let (left, right) = (left.to_owned(), right.to_owned());
+        changed("invariance-switching", &move |c| {
+            for node in ["a", "b"] {
+                c["nodes"][node] = c["nodes"]["kept"].clone();
+                let same: Vec<Value> = (0..3).map(|j| json!([{ (j.to_string()): "1" }])).collect();
+                let enter = json!({ "from": "kept", "to": node, "multipliers": same });
+                c["edges"].as_array_mut().unwrap().push(enter);
+            }
+            c["edges"][0]["from"] = json!(left);
+            c["edges"][1]["from"] = json!(right);
+        })
+    };
+    let modes = "whatever mode acts in each step";
+    let (left, right) = ("kept -left-> kept", "kept -right-> kept");
+    let sums = "x0 + x1 + x2 = 3 and 1 >= x0";
+    let cases = [
+        (as_is("invariance-averaging"), vec!["every run, at every step: x1 >= x0 and x1 > 0".to_owned()]),
+        (
+            as_is("invariance-chain"),
+            vec!["every run, at every step: 8 >= x".into(), "every run, from step 2 on: 4 > x".into()],
+        ),
+        // A run that ends is spoken of by its nodes only.
+        (
+            without("invariance-chain", 2),
+            vec![
+                "the runs along start -step-> once, once -step-> kept, at kept: 4 > x".into(),
+                "the runs along start -step-> once, once -step-> kept, at kept and once and start: 8 >= x".into(),
+            ],
+        ),
+        // A claim that is missing at one node where a run can stand.
+        (
+            changed("invariance-chain", &|c| _ = c["claims"].as_array_mut().unwrap().remove(2)),
+            vec!["every run, from step 2 on: 4 > x and 8 >= x".into()],
+        ),
+        (as_is("invariance-switching"), vec![format!("every run, {modes}, at every step: {sums}")]),
+        (
+            without("invariance-switching", 0),
+            vec![format!("the runs along {right}, at every step: {sums}")],
+        ),
+        (
+            without("invariance-switching", 1),
+            vec![format!("the runs along {left}, at every step: {sums}")],
+        ),
+        (shared("a", "b"), vec![format!("every run, {modes}, at every step: {sums}")]),
+        (shared("kept", "b"), vec![format!("every run, {modes}, at every step: {sums}")]),
+        (
+            as_is("invariance-schedule"),
+            vec![
+                "the runs along even -double-> odd, odd -quarter-> even, at even: 1 >= x".into(),
+                "the runs along even -double-> odd, odd -quarter-> even, at every step: 2 >= x".into(),
+            ],
+        ),
+        (
+            page("quadratic-switching"),
+            vec![format!("from every start, {modes}: these tend to 0 (the root of a form of theirs falls by 9/10 in each): x, v")],
+        ),
+        (page("quadratic-growth"), vec!["from 2, 1: these do not all tend to 0: x, v".into()]),
+    ];
+    for (page, expected) in cases {
+        let Verdict::Valid { claim, .. } = check(&page.to_string()) else { panic!("{page}") };
+        let said: Vec<&str> = claim
+            .lines()
+            .filter_map(|l| l.trim().strip_prefix("proved ").map(|l| l.trim_start_matches("of ")))
+            .collect();
+        assert_eq!(said, expected, "{claim}");
+    }
 }

@@ -188,3 +188,31 @@ fn large_systems_are_judged_or_given_up() {
     assert!(matches!(check(&quadratic(8)), Verdict::Invalid { rule: "quadratic", .. }));
     overworked("two hundred readouts", &quadratic(200));
 }
+
+#[test]
+fn many_small_things_are_work_too() {
+    let leaf = json!({ "positivity": { "sum": "0" } });
+    let stated = |statement: Value| {
+        sealed(
+            "theorem",
+            json!({ "statement": statement, "proof": { "conclusions": { "GOAL": leaf } } }),
+        )
+    };
+    // Each new name is compared with those that are there.
+    let vars: Vec<Value> =
+        (0..100_000).map(|n| json!({ "name": format!("v{n}"), "sort": "real" })).collect();
+    let system = json!({ "protocol": "coverage", "steps": "full" });
+    let goal = json!([{ "name": "GOAL", "for": vars, "goal": "0 >= 0" }]);
+    overworked("variables", &stated(json!({ "system": system, "conclusions": goal })));
+    // Rules for many variables, parameters of many rows.
+    let names: Vec<String> = (0..100_000).map(|n| format!("s{n}")).collect();
+    let rules: Value = names.iter().map(|n| (n.clone(), json!("0"))).collect();
+    let family = json!({ "topology": "ring", "state": names, "rules": { "all": rules } });
+    let goal = json!([{ "name": "GOAL", "goal": "0 >= 0" }]);
+    overworked("rules", &stated(json!({ "family": family, "conclusions": goal })));
+    let ranges: Value = (0..60_000).map(|p| (format!("p{p}"), json!(["0", "1"]))).collect();
+    let system = json!({ "state": ["x"], "parameters": ranges, "modes": { "step": {} } });
+    let rows = 60_000;
+    let edge = json!([{ "from": "n0", "by": "step", "to": "n0", "multipliers": vec![json!([{ "0": "1" }]); rows] }]);
+    overworked("rows", &invariance(system, json!({ "n0": vec!["x >= 0"; rows] }), edge));
+}

@@ -558,3 +558,18 @@ fn committed_records_of_provers_are_fresh() {
     }
     assert_eq!(compared, 3);
 }
+
+/// The list of goals beside the contracts is of the run on record, and no goal in it is open.
+#[test]
+fn the_list_of_goals_is_that_of_the_record() {
+    let root = common::root();
+    let text = std::fs::read_to_string(root.join("proofs/creusot/goals.json")).unwrap();
+    let goals: Value = serde_json::from_str(&text).unwrap();
+    let records = Records::read(root).unwrap();
+    assert_eq!(goals["sources"], records.of("creusot").unwrap().sources.as_str());
+    let functions = goals["by_function"].as_array().unwrap();
+    let sum = |field: &str| functions.iter().map(|f| f[field].as_u64().unwrap()).sum::<u64>();
+    assert_eq!(functions.len() as u64, goals["functions"].as_u64().unwrap());
+    assert_eq!((sum("goals"), sum("proved")), (goals["goals"].as_u64().unwrap(), sum("goals")));
+    assert!(sum("goals") > 300, "{} goals", sum("goals"));
+}

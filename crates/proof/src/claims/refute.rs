@@ -1,7 +1,5 @@
 //! Counterexamples: by step, the smallest first, then by the simplicity of the constants.
 
-use std::cmp::Ordering;
-
 use super::automaton::Automaton;
 use super::search::{Answer, Choice, Limits, Search};
 use cordon_core::Rational;
@@ -86,10 +84,10 @@ pub fn refute(
         let search = Search::new(system, &automaton, super::at(system, values), starts.clone());
         match search.run(&limits) {
             Answer::Refuted(start, choices) => {
-                if let Some(run) = follow(system, values, &start, choices) {
-                    if best.as_ref().is_none_or(|b| run.step.cmp(&b.step) == Ordering::Less) {
-                        best = Some(run);
-                    }
+                if let Some(run) = follow(system, values, &start, choices)
+                    && best.as_ref().is_none_or(|b| run.step < b.step)
+                {
+                    best = Some(run);
                 }
             }
             Answer::Proved(_) => {}

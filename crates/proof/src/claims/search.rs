@@ -36,6 +36,9 @@ pub struct Limits {
     pub programs: usize,
 }
 
+/// Values of some parameters, by their places.
+pub type Corner = Vec<(usize, Rational)>;
+
 /// A half-space that holds whenever its moment comes.
 #[derive(Clone, Debug)]
 pub struct Row {
@@ -48,7 +51,7 @@ pub struct Row {
     /// Steps to the claim that it is a pre-image of.
     depth: usize,
     /// The step to the row that it is a pre-image of: the row, the edge and the corner.
-    leads_to: Option<(usize, usize, Vec<(usize, Rational)>)>,
+    leads_to: Option<(usize, usize, Corner)>,
 }
 
 /// That a row's image after a step follows from the rows before it.
@@ -59,7 +62,7 @@ pub struct Kept {
     /// The step.
     pub edge: usize,
     /// The parameters that play a part, with the end of the range of each.
-    pub corner: Vec<(usize, Rational)>,
+    pub corner: Corner,
     /// Rows before, with their multipliers.
     pub multipliers: Vec<(usize, Rational)>,
 }
@@ -213,7 +216,7 @@ impl<'s> Search<'s> {
     }
 
     /// The corners of the ranges of the parameters that play a part in a row's image.
-    fn corners(&self, row: usize, mode: usize) -> Vec<Vec<(usize, Rational)>> {
+    fn corners(&self, row: usize, mode: usize) -> Vec<Corner> {
         let coefficients = self.rows[row].is.form.parts().map_or(&[][..], |(_, c)| c);
         let Some(mode) = self.system.modes.get(mode) else { return Vec::new() };
         let mut corners = vec![Vec::new()];
@@ -224,7 +227,7 @@ impl<'s> Search<'s> {
             let ends = self.parameters.get(p).map(Parameter::ends).unwrap_or_default();
             corners = corners
                 .into_iter()
-                .flat_map(|corner: Vec<(usize, Rational)>| {
+                .flat_map(|corner: Corner| {
                     ends.iter().map(move |end| {
                         let mut corner = corner.clone();
                         corner.push((p, end.clone()));

@@ -243,9 +243,9 @@ pub fn scaled_order(c: Real, a: Real, b: Real) {}
 
 /// A drone in the middle of its neighbours stays.
 #[logic]
-#[requires(last > int(0) && last * a + last * c == int(2) * (last * b))]
-#[ensures(eps * a + (int(1) - int(2) * eps) * b + eps * c == b)]
-pub fn middle(eps: Real, last: Real, a: Real, b: Real, c: Real) {
+#[requires(last > int(0) && last * a + last * c == int(2) * (last * b) && 0 < i && i + 1 < count)]
+#[ensures(next(p, count, a, b, c, i) == b)]
+pub fn middle(p: Params<Real>, count: Int, last: Real, a: Real, b: Real, c: Real, i: Int) {
     pearlite! {
         proof_assert!(last * (a + c) == last * (int(2) * b));
         scaled_order(last, a + c, int(2) * b);
@@ -254,22 +254,30 @@ pub fn middle(eps: Real, last: Real, a: Real, b: Real, c: Real) {
     }
 }
 
+/// Drones at their targets are in the middle of their neighbours.
+#[logic]
+#[requires(anchored(p, x) && behind(p, x) && ahead(p, x) && 0 < i && i + 1 < x.len())]
+#[ensures(int(x.len() - 1) * x[i - 1] + int(x.len() - 1) * x[i + 1] == int(2) * (int(x.len() - 1) * x[i]))]
+pub fn targets_line_up(p: Params<Real>, x: Seq<Real>, i: Int) {
+    pearlite! {
+        let last = int(x.len() - 1);
+        proof_assert!(int(i - 1) == int(i) - int(1) && int(i + 1) == int(i) + int(1));
+        proof_assert!(error(p.min, p.max, x, i - 1) == int(0) && error(p.min, p.max, x, i) == int(0)
+            && error(p.min, p.max, x, i + 1) == int(0));
+        proof_assert!(last * x[i] == target(p.min, p.max, last, int(i)));
+        proof_assert!(last * x[i - 1] == target(p.min, p.max, last, int(i)) - (p.max - p.min));
+        proof_assert!(last * x[i + 1] == target(p.min, p.max, last, int(i)) + (p.max - p.min))
+    }
+}
+
 /// Theorem 7.6 (i) for drone `i`, with any weight.
 #[logic]
 #[requires(anchored(p, x) && behind(p, x) && ahead(p, x) && 0 <= i && i < x.len())]
 #[ensures(next_of(p, x, i) == x[i])]
 pub fn target_is_fixed(p: Params<Real>, x: Seq<Real>, i: Int) {
-    pearlite! {
-        if 0 < i && i + 1 < x.len() {
-            let last = int(x.len() - 1);
-            proof_assert!(int(i - 1) == int(i) - int(1) && int(i + 1) == int(i) + int(1));
-            proof_assert!(error(p.min, p.max, x, i - 1) == int(0) && error(p.min, p.max, x, i) == int(0)
-                && error(p.min, p.max, x, i + 1) == int(0));
-            proof_assert!(last * x[i] == target(p.min, p.max, last, int(i)));
-            proof_assert!(last * x[i - 1] == target(p.min, p.max, last, int(i)) - (p.max - p.min));
-            proof_assert!(last * x[i + 1] == target(p.min, p.max, last, int(i)) + (p.max - p.min));
-            middle(p.eps, last, x[i - 1], x[i], x[i + 1])
-        }
+    if 0 < i && i + 1 < x.len() {
+        targets_line_up(p, x, i);
+        middle(p, x.len(), int(x.len() - 1), x[i - 1], x[i], x[i + 1], i)
     }
 }
 

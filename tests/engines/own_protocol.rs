@@ -7,9 +7,9 @@ use cordon_check::Verdict;
 use cordon_core::Rational;
 use cordon_core::system::{Consensus, Coverage, ParameterKind, System};
 use cordon_proof::claims::certificate::certificate;
-use cordon_proof::claims::search::Choice;
+use cordon_proof::claims::search::{Choice, Limits};
 use cordon_proof::claims::threshold::{Known, Property, critical, known, with};
-use cordon_proof::claims::{constants, converge, follow, is_vacuous, prove, refute};
+use cordon_proof::claims::{constants, converge, follow, is_vacuous, prove, prove_within, refute};
 use cordon_run::protocol::{parse, read};
 use cordon_run::scenario::Topology;
 use proptest::prelude::*;
@@ -377,7 +377,8 @@ fn what_is_proved_never_fails_and_what_is_refuted_replays() {
         let file = parse("random", &text).map_err(|e| TestCaseError::fail(e.to_string()))?;
         let system = file.system().map_err(|e| TestCaseError::fail(e.to_string()))?;
         prop_assert!(!is_vacuous(&system));
-        let proof = prove(&system);
+        let limits = Limits { steps: 30, half_spaces: 60, programs: 300 };
+        let proof = prove_within(&system, &limits);
         let (found, complete) = refute(&system, &constants(&system, 4).unwrap(), None, 4);
         prop_assert!(proof.is_none() || found.is_none(), "both proved and refuted:\n{}", text);
         if let Some(found) = proof {
@@ -485,7 +486,7 @@ fn mistakes_are_named_with_file_line_column_and_key() {
         (good.replace("agents = 2", "agents = \"x..\""), "p.toml:1:10: agents: `x..`"),
         (
             good.replace("agents = 2", "drones = 2"),
-            "p.toml:1:10: drones: is no longer a key: expected `agents = 5`",
+            "p.toml:1:1: drones: is no longer a key: expected `agents = 5`",
         ),
         (good.replace("topology", "graph"), "graph: is no longer a key: expected `topology`"),
         (good.replace("claims", "claim"), "claim: is no longer a key: expected `claims`"),

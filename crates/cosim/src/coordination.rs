@@ -5,7 +5,7 @@
 //! projection theorem); the double for the controller is rounded once, at the output.
 
 mod machine;
-pub(super) mod own;
+mod own;
 mod table;
 
 use cordon_spec::Phase;

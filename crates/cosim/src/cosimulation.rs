@@ -8,11 +8,11 @@ use cordon_spec::graph::Graph;
 use num_traits::Signed;
 
 use super::control::{self, Control, Gains};
-use super::coordination::own;
 use super::coordination::{Coordination, Exchange, Law, OnLoss, OwnLaw, Settings, Slot};
 use super::faults;
 use super::grid::Grid;
 use super::master::{Algorithm, Master};
+use super::own_flight;
 use super::plant::{self, Integrator, Plant};
 use super::record::{Flown, Setup};
 use super::seat::Seat;
@@ -131,11 +131,13 @@ impl Cosimulation {
         }
         let count = scenario.count();
         if let Some(own) = scenario.own() {
-            own::refuse_what_cannot_fly(own)?;
+            own_flight::refuse_what_cannot_fly(own)?;
         }
         let positions = || match scenario.own() {
             None => scenario.start.clone(),
-            Some(own) => (0..count).map(|i| own::position(own, &scenario.start, i)).collect(),
+            Some(own) => {
+                (0..count).map(|i| own_flight::position(own, &scenario.start, i)).collect()
+            }
         };
         let start = flight.start.unwrap_or_else(positions);
         if start.len() != count {

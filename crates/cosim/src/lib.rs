@@ -34,6 +34,8 @@ pub mod master;
 #[cfg(feature = "swarm")]
 mod order;
 #[cfg(feature = "swarm")]
+mod own_flight;
+#[cfg(feature = "swarm")]
 pub mod record;
 #[cfg(feature = "swarm")]
 pub mod replay;

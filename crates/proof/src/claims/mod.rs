@@ -42,6 +42,11 @@ pub struct Proved {
 /// A proof, if the search finds one: the claims hold in every run from every assumed start, for all
 /// values of the parameters. None does not mean that a claim is false.
 pub fn prove(system: &System) -> Option<Proved> {
+    prove_within(system, &PROOF)
+}
+
+/// As [`prove`], searching so far and no further.
+pub fn prove_within(system: &System, limits: &Limits) -> Option<Proved> {
     let attempt = |system: &System, limits: &Limits| {
         let automaton = Automaton::of(system);
         let starts = system.start_constraints();
@@ -52,10 +57,14 @@ pub fn prove(system: &System) -> Option<Proved> {
         }
     };
     // A first short attempt: pre-images of bounded claims are exhausted soon, others never.
-    let short = Limits { steps: 40, half_spaces: 200, programs: 1_000 };
+    let short = Limits {
+        steps: limits.steps.min(40),
+        half_spaces: limits.half_spaces.min(200),
+        programs: limits.programs.min(1_000),
+    };
     attempt(system, &short)
-        .or_else(|| attempt(&bounds::bounded(system)?, &PROOF))
-        .or_else(|| attempt(system, &PROOF))
+        .or_else(|| attempt(&bounds::bounded(system)?, limits))
+        .or_else(|| if short == *limits { None } else { attempt(system, limits) })
 }
 
 /// The parameters with single values in the place of the constants' ranges.

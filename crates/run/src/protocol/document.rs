@@ -35,14 +35,6 @@ pub(super) struct Document {
     pub modes: BTreeMap<Spanned<String>, RuleTable>,
     #[serde(default)]
     pub departures: Departures,
-    // What the keys were called before.
-    drones: Option<Spanned<Value>>,
-    eps: Option<Spanned<Value>>,
-    graph: Option<Spanned<Value>>,
-    weight: Option<Spanned<Value>>,
-    weights: Option<Spanned<Value>>,
-    claim: Option<Spanned<Value>>,
-    update: Option<Spanned<Value>>,
 }
 
 /// Rules by class of agents.
@@ -96,6 +88,27 @@ impl fmt::Display for Agents {
     }
 }
 
+/// What keys were called before `cordon-protocol/1`, and what stands in their place.
+const FORMER: [(&str, &str); 7] = [
+    ("drones", "`agents = 5`, or `agents = \"3..\"` for every number"),
+    ("eps", "`eps = \"0..1/2\"` under `[parameters]`"),
+    ("graph", "`topology`"),
+    ("weight", "`all = \"x + eps*sum(their.x - x)\"` under `[rules]`"),
+    ("weights", "a rule an agent under `[rules]`"),
+    ("claim", "`claims`"),
+    ("update", "`[rules]`, with the agent's number as key"),
+];
+
+/// An error of reading, where it is about a former key, with the key in its place.
+pub(super) fn with_present_keys(error: Error) -> Error {
+    let Error::Input(message) = &error else { return error };
+    let former = FORMER.iter().find_map(|(key, now)| {
+        let (place, _) = message.split_once(&format!("unknown field `{key}`"))?;
+        Some(format!("{place}{key}: is no longer a key: expected {now}"))
+    });
+    former.map_or(error, Error::input)
+}
+
 /// Words that mean something in rules and claims, so that nothing else may be called so.
 const RESERVED: [&str; 9] = ["sum", "prev", "next", "their", "weight", "N", "i", "k", "last"];
 
@@ -103,30 +116,16 @@ const RESERVED: [&str; 9] = ["sum", "prev", "next", "their", "weight", "N", "i",
 const LONGEST_DELAY: usize = 10;
 
 impl Document {
-    /// Refuses the keys of the format before `cordon-protocol/1`, naming those in their place.
-    pub fn refuse_former_keys(&self, source: &Source<'_>) -> Result<()> {
-        if let Some(format) = &self.format
-            && format.get_ref() != "cordon-protocol/1"
-        {
-            let message = format!("format: `{}`: expected `cordon-protocol/1`", format.get_ref());
-            return Err(source.error(&format.span(), &message));
-        }
-        let former = [
-            ("drones", &self.drones, "`agents = 5`, or `agents = \"3..\"` for every number"),
-            ("eps", &self.eps, "`eps = \"0..1/2\"` under `[parameters]`"),
-            ("graph", &self.graph, "`topology`"),
-            ("weight", &self.weight, "`all = \"x + eps*sum(their.x - x)\"` under `[rules]`"),
-            ("weights", &self.weights, "a rule an agent under `[rules]`"),
-            ("claim", &self.claim, "`claims`"),
-            ("update", &self.update, "`[rules]`, with the agent's number as key"),
-        ];
-        for (key, value, now) in former {
-            if let Some(value) = value {
-                let message = format!("{key}: is no longer a key: expected {now}");
-                return Err(source.error(&value.span(), &message));
+    /// Refuses files of another format.
+    pub fn refuse_other_formats(&self, source: &Source<'_>) -> Result<()> {
+        match &self.format {
+            Some(format) if format.get_ref() != "cordon-protocol/1" => {
+                let message =
+                    format!("format: `{}`: expected `cordon-protocol/1`", format.get_ref());
+                Err(source.error(&format.span(), &message))
             }
+            _ => Ok(()),
         }
-        Ok(())
     }
 
     /// Where the number of agents stands.

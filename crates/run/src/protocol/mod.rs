@@ -19,7 +19,7 @@ use crate::scenario::document::document;
 use crate::scenario::file::Source;
 pub use classes::Classes;
 pub use document::Agents;
-use document::Document;
+use document::{Document, with_present_keys};
 
 /// A protocol file, read and checked as far as that does not depend on the number of agents.
 #[derive(Clone, Debug)]
@@ -46,8 +46,8 @@ pub fn read(path: &Path) -> Result<ProtocolFile> {
 /// As for [`read`].
 pub fn parse(name: &str, text: &str) -> Result<ProtocolFile> {
     let source = Source { name, text };
-    let (document, _): (Document, _) = document(&source)?;
-    document.refuse_former_keys(&source)?;
+    let (document, _): (Document, _) = document(&source).map_err(with_present_keys)?;
+    document.refuse_other_formats(&source)?;
     let agents = document.agents(&source)?;
     Ok(ProtocolFile { name: name.to_owned(), text: text.to_owned(), document, agents })
 }

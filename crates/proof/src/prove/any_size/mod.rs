@@ -52,6 +52,9 @@ pub struct Family {
     pub claims: Vec<String>,
 }
 
+/// The fact that says on which side of the middle of its range a parameter is.
+const HALF: &str = "half";
+
 /// What was found.
 #[derive(Clone, Debug)]
 pub struct AnySize {
@@ -614,13 +617,13 @@ impl Search<'_> {
                 let p = self.symbols.variable(Symbol::Name(name.clone()))
                     - &Polynomial::constant(middle);
                 let branch = |poly: Polynomial, sign: Sign| {
-                    let more = Fact { name: "s".into(), literal: Literal { poly, sign } };
+                    let more = Fact { name: HALF.into(), literal: Literal { poly, sign } };
                     proof(&[self.about_constants.as_slice(), &[more]].concat())
                 };
                 let above = branch(p.clone(), Sign::Positive)?;
                 let equal = branch(p.clone(), Sign::Zero)?;
                 let below = branch(Polynomial::from_int(0) - &p, Sign::Positive)?;
-                Some(split("s", &self.symbols.write(&p, "k"), [above, equal, below]))
+                Some(split(HALF, &self.symbols.write(&p, "k"), [above, equal, below]))
             })
         })
     }

@@ -162,7 +162,8 @@ fn every_number_of_agents_is_proved_where_the_classes_allow_it() {
     let (code, out, _) = run(&wrong);
     assert_eq!(code, 1, "{out}");
     assert!(
-        out.contains("not proved for every number") && out.contains("refuted at eps = 3/5"),
+        out.contains("not proved for every number")
+            && out.contains("4 agents, every eps in [0, 3/5]\n  refuted at eps = 3/5"),
         "{out}"
     );
 }

@@ -50,8 +50,7 @@ impl ProtocolArgs {
     pub fn system(&self) -> Result<Option<(ProtocolFile, System)>> {
         let Some(path) = &self.protocol else { return Ok(None) };
         let file = read(path)?;
-        let mut system = file.with_agents(self.agents.unwrap_or(file.agents.fewest()))?;
-        self.narrow(&mut system.parameters)?;
+        let system = self.sized(&file, self.agents.unwrap_or(file.agents.fewest()))?;
         if claims::is_vacuous(&system) {
             return Err(Error::input(format!(
                 "{}: start: no start meets the assumptions: expected one that does",
@@ -59,6 +58,16 @@ impl ProtocolArgs {
             )));
         }
         Ok(Some((file, system)))
+    }
+
+    /// The system of a file with so many agents.
+    ///
+    /// # Errors
+    /// The file is wrong, or a parameter is not there.
+    fn sized(&self, file: &ProtocolFile, agents: usize) -> Result<System> {
+        let mut system = file.with_agents(agents)?;
+        self.narrow(&mut system.parameters)?;
+        Ok(system)
     }
 
     /// The parameters with the values and ranges of `--set`.

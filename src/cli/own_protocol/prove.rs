@@ -54,8 +54,23 @@ pub fn prove(
             }),
         );
     }
-    // What the kernel proves of N >= 3 leaves smaller numbers, and convergence.
     let is_proved = for_every.as_ref().is_some_and(|f| f.proved);
+    if for_every.is_some() && !is_proved {
+        if let Some((args, system)) = refuted_above(args, file, system.agents)? {
+            if text {
+                writeln!(out, "{}", headline(&system))?;
+            }
+            let (ended, found) = refuted_claims(&args, &system, &Search::default(), text, out)?;
+            page.insert("claims", found);
+            if !text {
+                writeln!(out, "{:#}", json!(page))?;
+            }
+            return Ok(ended);
+        }
+        // Asked of every number, and shown for some.
+        outcome = Outcome::Inconclusive;
+    }
+    // What the kernel proves of N >= 3 leaves smaller numbers, and convergence.
     let is_left = !is_proved || system.agents < 3 || system.converges.is_some();
     if text && is_left {
         writeln!(out, "{}", headline(system))?;
@@ -97,6 +112,26 @@ pub fn prove(
         writeln!(out, "{:#}", json!(page))?;
     }
     Ok(outcome)
+}
+
+/// Numbers of agents above the fewest that are tried for a counterexample.
+const MORE_AGENTS: usize = 2;
+
+/// The system with a few agents more than the fewest, where its claims fail of some start.
+fn refuted_above(
+    args: &ProtocolArgs,
+    file: &ProtocolFile,
+    fewest: usize,
+) -> Result<Option<(ProtocolArgs, System)>> {
+    let search = Search::default();
+    for agents in fewest + 1..=fewest + MORE_AGENTS {
+        let system = args.sized(file, agents)?;
+        let constants = claims::constants(&system, search.denominators).unwrap_or_default();
+        if claims::refute(&system, &constants, None, search.steps).0.is_some() {
+            return Ok(Some((ProtocolArgs { agents: Some(agents), ..args.clone() }, system)));
+        }
+    }
+    Ok(None)
 }
 
 /// What is known for every number of agents.

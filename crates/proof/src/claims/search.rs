@@ -12,7 +12,7 @@
 //! What is assumed of the start may be kept as well. The largest set of assumptions and claims that
 //! every step keeps (Houdini) is known from the beginning.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 
 use num_traits::Zero;
 
@@ -284,25 +284,34 @@ impl<'s> Search<'s> {
         if let Some(&j) = places.iter().find(same) {
             return Some(vec![(j, Rational::from_integer(1.into()))]);
         }
-        // Then those that speak of nothing else than the goal does: a small program.
-        let speaks_of = |c: &Constraint, j: usize| {
-            c.form.parts().and_then(|(_, c)| c.get(j)).is_some_and(|c| !c.is_zero())
-        };
-        let near = |&j: &usize| {
-            let c = &self.rows[j].is;
-            (0..self.system.state.len()).all(|v| !speaks_of(c, v) || speaks_of(goal, v))
-        };
-        let close: Vec<usize> = places.iter().copied().filter(near).collect();
-        let all = places.len();
-        for places in [close, places] {
-            let given: Vec<Constraint> = places.iter().map(|&j| self.rows[j].is.clone()).collect();
+        let given: Vec<Constraint> = places.iter().map(|&j| self.rows[j].is.clone()).collect();
+        let found = self.near_first(&given, goal)?;
+        Some(found.into_iter().filter_map(|(at, m)| Some((*places.get(at)?, m))).collect())
+    }
+
+    /// Multipliers of what is given, by place: first of what speaks of nothing else than the goal does,
+    /// a small program; then of all.
+    fn near_first(
+        &mut self,
+        given: &[Constraint],
+        goal: &Constraint,
+    ) -> Option<Vec<(usize, Rational)>> {
+        fn speaks_of(c: &Constraint) -> impl Iterator<Item = usize> {
+            let coefficients = c.form.parts().map_or(&[][..], |(_, c)| c);
+            coefficients.iter().enumerate().filter(|(_, c)| !c.is_zero()).map(|(j, _)| j)
+        }
+        let wanted: BTreeSet<usize> = speaks_of(goal).collect();
+        let is_near = |(_, c): &(usize, &Constraint)| speaks_of(c).all(|v| wanted.contains(&v));
+        let near: Vec<usize> = given.iter().enumerate().filter(is_near).map(|(j, _)| j).collect();
+        let all = (0..given.len()).collect::<Vec<_>>();
+        let tried = if near.len() < all.len() { vec![near, all] } else { vec![all] };
+        for places in tried {
+            let some: Vec<Constraint> =
+                places.iter().filter_map(|&j| given.get(j).cloned()).collect();
             self.programs += 1;
-            if let Some(multipliers) = Premises::new(&given)?.multipliers(goal) {
+            if let Some(multipliers) = Premises::new(&some)?.multipliers(goal) {
                 let found = places.into_iter().zip(multipliers);
                 return Some(found.filter(|(_, m)| !m.is_zero()).collect());
-            }
-            if given.len() == all {
-                break;
             }
         }
         None
@@ -310,9 +319,8 @@ impl<'s> Search<'s> {
 
     /// Multipliers of the assumptions that show a row to hold of every start.
     fn holds_of_start(&mut self, row: usize) -> Option<Vec<(usize, Rational)>> {
-        self.programs += 1;
-        let multipliers = Premises::new(&self.starts)?.multipliers(&self.rows.get(row)?.is)?;
-        Some(multipliers.into_iter().enumerate().filter(|(_, m)| !m.is_zero()).collect())
+        let (starts, goal) = (self.starts.clone(), self.rows.get(row)?.is.clone());
+        self.near_first(&starts, &goal)
     }
 
     /// The counterexample that a row is which fails of some start.

@@ -101,19 +101,35 @@ pub fn critical(
     let width = (0..digits).fold(Rational::one(), |w, _| w / &ten);
     let mut open = None;
     while num_traits::abs(&holds - &fails) > width {
-        // The simplest fraction in the middle half.
-        let quarter = (&fails - &holds) / Rational::from_integer(4.into());
-        let (a, b) = (&holds + &quarter, &fails - &quarter);
-        let (low, high) = if a < b { (a, b) } else { (b, a) };
-        let Some(middle) = strictly_between(&low, &high) else { break };
-        match at(&middle)? {
-            Known::Holds => holds = middle,
-            Known::Fails => fails = middle,
-            Known::Open => {
-                open = Some(middle);
-                break;
+        // The simplest fraction in the middle half; where nothing is found there, which is the case at the
+        // critical value itself, one on either side of it.
+        let Some(middle) = open.clone().or_else(|| between(&holds, &fails)) else { break };
+        let tried = match open {
+            None => vec![middle.clone()],
+            Some(_) => {
+                [between(&holds, &middle), between(&middle, &fails)].into_iter().flatten().collect()
             }
+        };
+        let (mut moved, mut left_open) = (false, false);
+        for value in tried {
+            match at(&value)? {
+                Known::Holds => (holds, moved) = (value, true),
+                Known::Fails => (fails, moved) = (value, true),
+                Known::Open => left_open = true,
+            }
+        }
+        match (&open, moved) {
+            (None, false) if left_open => open = Some(middle),
+            (Some(_), false) => break,
+            _ => {}
         }
     }
     Ok((Some(Bracket { holds, fails, open }), ends))
+}
+
+/// The simplest fraction in the middle half between two numbers, in either order.
+fn between(a: &Rational, b: &Rational) -> Option<Rational> {
+    let quarter = (b - a) / Rational::from_integer(4.into());
+    let (near, far) = (a + &quarter, b - &quarter);
+    if near < far { strictly_between(&near, &far) } else { strictly_between(&far, &near) }
 }

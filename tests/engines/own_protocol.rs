@@ -432,6 +432,19 @@ fn a_counterexample_replays_from_the_command_line() {
         replayed += 1;
     }
     assert_eq!(replayed, 2);
+    // A range that was given to what varies belongs to the question.
+    let folder = tempfile::tempdir().unwrap();
+    let pushed = folder.path().join("pushed.toml");
+    let text = "agents = 1\nstart = [\"x0 = 0\"]\nclaims = [\"x0 <= 3\"]\n[parameters]\n\
+                w = { varying = \"-1..1\" }\n[rules]\nall = \"x/2 + w\"\n";
+    std::fs::write(&pushed, text).unwrap();
+    let file = pushed.to_str().unwrap();
+    assert_eq!(run(&["prove", "--protocol", file]).0, 0);
+    let (code, out, _) = run(&["prove", "--protocol", file, "--set", "w=0..5"]);
+    let replay = out.lines().find_map(|l| l.trim().strip_prefix("replay: cordon ")).unwrap();
+    assert_eq!((code, run(&replay.split(' ').collect::<Vec<_>>()).0), (1, 1), "{replay}");
+    let (code, _, err) = run(&["prove", "7.2", "--set", "eps=1"]);
+    assert!(code == 2 && err.contains("set: expected --protocol with it"), "{err}");
     let (code, out, _) = run(&["refute", "--protocol", "scenarios/own/leader-chain.toml"]);
     assert_eq!(code, 3);
     assert!(out.contains("complete for all starts"), "{out}");
@@ -537,6 +550,22 @@ fn mistakes_are_named_with_file_line_column_and_key() {
         (good.replace("rules", "rulez"), "unknown field `rulez`"),
         (good.replace("x0 < x1", "x0 < x0"), "no start meets the assumptions"),
         (good.replace("x0 < x1", &"(".repeat(500)), "claims: is nested too deeply"),
+        (
+            rule(&format!("{}x", "x + ".repeat(20_000))),
+            "rules.all: expected at most 2000 numbers and names",
+        ),
+        (good.replace("eps = 1", "eps = 1\nx1ago1 = 1"), "parameters.x1ago1: expected a name"),
+        (
+            good.replace("eps = 1", "eps = 1\nlink0with1 = 1"),
+            "parameters.link0with1: expected a name",
+        ),
+        (
+            good.replace(
+                "claims = [\"x0 < x1\"]",
+                "start = [\"x0 < x1\"]\nconverges = \"agreement\"",
+            ),
+            "claims: none in the protocol file",
+        ),
     ];
     for (text, expected) in &cases {
         std::fs::write(&path, text).unwrap();
@@ -544,7 +573,7 @@ fn mistakes_are_named_with_file_line_column_and_key() {
         assert_eq!((code, out.as_str()), (2, ""), "{text}\n{err}");
         assert!(err.contains(expected), "expected `{expected}` in `{err}`");
     }
-    assert_eq!(cases.len(), 27);
+    assert_eq!(cases.len(), 31);
     std::fs::write(&path, good).unwrap();
     let with = |flags: &[&str]| {
         let file = path.to_str().unwrap();
@@ -556,5 +585,6 @@ fn mistakes_are_named_with_file_line_column_and_key() {
     assert!(
         with(&["--set", "gain=1"]).2.contains("set: `gain` is no parameter: expected one of eps")
     );
+    assert!(with(&["--set", "eps=1", "--set", "eps=0"]).2.contains("set: `eps` is there twice"));
     assert!(with(&["--set", "eps"]).2.contains("set: `eps`: expected a parameter and its value"));
 }

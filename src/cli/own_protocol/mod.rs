@@ -15,7 +15,7 @@ pub use threshold::threshold;
 
 use super::table::abridged;
 use cordon_core::exact::shortened;
-use cordon_core::system::{Parameter, System};
+use cordon_core::system::{Parameter, ParameterKind, System};
 use cordon_core::text::shell_word;
 use cordon_core::{Error, Rational, Result, range};
 use cordon_proof::claims;
@@ -48,7 +48,15 @@ impl ProtocolArgs {
     /// # Errors
     /// The file is wrong, a parameter is not there, or no start meets the assumptions.
     pub fn system(&self) -> Result<Option<(ProtocolFile, System)>> {
-        let Some(path) = &self.protocol else { return Ok(None) };
+        let Some(path) = &self.protocol else {
+            let flag = [("agents", self.agents.is_some()), ("set", !self.set.is_empty())];
+            return match flag.into_iter().find(|(_, given)| *given) {
+                Some((flag, _)) => {
+                    Err(Error::input(format!("{flag}: expected --protocol with it")))
+                }
+                None => Ok(None),
+            };
+        };
         let file = read(path)?;
         let system = self.sized(&file, self.agents.unwrap_or(file.agents.fewest()))?;
         if claims::is_vacuous(&system) {
@@ -72,7 +80,7 @@ impl ProtocolArgs {
 
     /// The parameters with the values and ranges of `--set`.
     fn narrow(&self, parameters: &mut [Parameter]) -> Result<()> {
-        for set in &self.set {
+        for (place, set) in self.set.iter().enumerate() {
             let (name, values) = set.split_once('=').ok_or_else(|| {
                 Error::input(format!(
                     "set: `{}`: expected a parameter and its value, like `eps=1/3`",
@@ -80,6 +88,13 @@ impl ProtocolArgs {
                 ))
             })?;
             let (low, high) = range::closed(&format!("set: {}", shortened(name)), values)?;
+            let again = |other: &String| other.split_once('=').is_some_and(|(n, _)| n == name);
+            if self.set.iter().take(place).any(again) {
+                let name = shortened(name);
+                return Err(Error::input(format!(
+                    "set: `{name}` is there twice: expected it once"
+                )));
+            }
             let known: Vec<&str> = parameters.iter().map(|p| p.name.as_str()).collect();
             let unknown = format!(
                 "set: `{}` is no parameter: expected one of {}",
@@ -117,10 +132,18 @@ impl ProtocolArgs {
     }
 
     /// The flags that name this system again.
-    fn flags(&self) -> String {
+    fn flags(&self, system: &System) -> String {
         let mut flags = format!("--protocol {}", shell_word(&self.path().display().to_string()));
         if let Some(n) = self.agents {
             flags += &format!(" --agents {n}");
+        }
+        // Constants are named with the values of the run; what varies keeps the range that it was given.
+        let varies = |name: &str| {
+            let kind = system.parameters.iter().find(|p| p.name == name).map(|p| p.kind);
+            kind.is_some_and(|kind| kind != ParameterKind::Constant)
+        };
+        for set in self.set.iter().filter(|s| s.split_once('=').is_some_and(|(n, _)| varies(n))) {
+            flags += &format!(" --set {}", shell_word(set));
         }
         flags
     }

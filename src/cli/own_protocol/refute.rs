@@ -43,6 +43,11 @@ pub fn refute(
     format: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<Outcome> {
+    if system.claims.is_empty() {
+        return Err(Error::input(
+            "claims: none in the protocol file: expected `claims`, or `cordon prove`, which judges convergence",
+        ));
+    }
     let text = format == OutputFormat::Text;
     if text {
         writeln!(out, "{}", headline(system))?;
@@ -199,7 +204,7 @@ fn replay_line(args: &ProtocolArgs, system: &System, run: &Run) -> String {
     let constant = |(p, _): &(&Parameter, &Rational)| p.kind == ParameterKind::Constant;
     let sets = system.parameters.iter().zip(&run.values).filter(constant);
     let sets: String = sets.map(|(p, v)| format!(" --set {}={}", p.name, fraction(v))).collect();
-    format!("cordon refute {}{sets} --steps {} --start={start}", args.flags(), run.step)
+    format!("cordon refute {}{sets} --steps {} --start={start}", args.flags(system), run.step)
 }
 
 fn as_json(args: &ProtocolArgs, system: &System, run: &Run) -> Value {

@@ -23,6 +23,15 @@ pub fn threshold(
     format: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<Outcome> {
+    let (missing, expected) = match property {
+        Property::Claims => (system.claims.is_empty(), "claims"),
+        Property::Convergence => (system.converges.is_none(), "converges"),
+    };
+    if missing {
+        return Err(Error::input(format!(
+            "{expected}: none in the protocol file: expected `{expected}`"
+        )));
+    }
     let ranges = |p: &&Parameter| p.kind == ParameterKind::Constant && p.fixed().is_none();
     let names: Vec<&str> =
         system.parameters.iter().filter(ranges).map(|p| p.name.as_str()).collect();

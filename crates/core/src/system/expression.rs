@@ -165,7 +165,7 @@ impl Expression {
     /// # Errors
     /// Anything else, with the place.
     pub fn parse(text: &str) -> Result<Self, SyntaxError> {
-        let mut parser = Parser { text, at: 0, depth: 0 };
+        let mut parser = Parser { text, at: 0, depth: 0, atoms: 0 };
         let expression = parser.sum()?;
         parser.end()?;
         Ok(expression)
@@ -255,7 +255,7 @@ pub fn sum_text<'t>(terms: impl IntoIterator<Item = (&'t Rational, Vec<&'t str>)
 /// # Errors
 /// Anything else, with the place.
 pub fn comparisons(text: &str) -> Result<Vec<Comparison>, SyntaxError> {
-    let mut parser = Parser { text, at: 0, depth: 0 };
+    let mut parser = Parser { text, at: 0, depth: 0, atoms: 0 };
     let mut left = parser.sum()?;
     let mut comparisons = Vec::new();
     while let Some((sign, relation, descending)) = parser.relation() {
@@ -276,10 +276,14 @@ pub fn comparisons(text: &str) -> Result<Vec<Comparison>, SyntaxError> {
 /// Deepest nesting of parentheses and signs.
 const DEEPEST: usize = 100;
 
+/// Most numbers and names in an expression: evaluation goes as deep as a sum is long.
+const LONGEST: usize = 2_000;
+
 struct Parser<'t> {
     text: &'t str,
     at: usize,
     depth: usize,
+    atoms: usize,
 }
 
 impl<'t> Parser<'t> {
@@ -364,6 +368,11 @@ impl<'t> Parser<'t> {
         self.depth += 1;
         if self.depth > DEEPEST {
             return Err(self.fault("is nested too deeply"));
+        }
+        self.atoms += 1;
+        if self.atoms > LONGEST {
+            let message = format!("expected at most {LONGEST} numbers and names in one expression");
+            return Err(SyntaxError { at: self.at, message });
         }
         let factor = self.atom();
         self.depth -= 1;

@@ -22,7 +22,7 @@ use automaton::Automaton;
 use search::{Answer, Limits, Proof, Search};
 
 /// How far a proof is searched.
-pub const PROOF: Limits = Limits { steps: 150, half_spaces: 400, programs: 4_000 };
+pub const PROOF: Limits = Limits { steps: 150, half_spaces: 300, programs: 2_500 };
 
 /// Whether no start meets the assumptions, so that there is nothing to prove.
 pub fn is_vacuous(system: &System) -> bool {

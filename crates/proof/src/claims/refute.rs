@@ -80,7 +80,7 @@ pub fn refute(
             },
             None => steps,
         };
-        let limits = Limits { steps: deepest, half_spaces: 4_000, programs: 20_000 };
+        let limits = Limits { steps: deepest, half_spaces: 1_000, programs: 5_000 };
         let search = Search::new(system, &automaton, super::at(system, values), starts.clone());
         match search.run(&limits) {
             Answer::Refuted(start, choices) => {

@@ -225,7 +225,11 @@ impl Document {
             let is_state = |v: &Variable| {
                 name.strip_prefix(&v.name).is_some_and(|n| n.chars().all(|c| c.is_ascii_digit()))
             };
-            if !sound || variables.iter().any(is_state) {
+            // Names that departures give to what they bring.
+            let is_brought = ["acts", "link", "late"].iter().any(|w| {
+                name.strip_prefix(w).is_some_and(|n| n.starts_with(|c: char| c.is_ascii_digit()))
+            }) || name.contains("ago");
+            if !sound || is_brought || variables.iter().any(is_state) {
                 let message = format!(
                     "{field}: expected a name of letters and digits, no state variable and none of {}",
                     RESERVED.join(", ")

@@ -117,7 +117,7 @@ impl Course {
         )))
     }
 
-    /// What all steps up to step k cost, in the unit of [`cost`](super::cost).
+    /// What all steps up to step k cost, in the units of the cost model.
     pub fn stepping(&self, k: u64) -> f64 {
         let mean = self.log2_growth() * k as f64 / 128.0 + longest(&self.start) as f64 / 64.0 + 1.0;
         let weight = limbs_for(longest(std::iter::once(&self.growth))).to_f64().unwrap_or(1.0);

@@ -143,7 +143,7 @@ fn slot(length: usize, bits: u64) -> usize {
     limbs_for(2 * bits + u64::from(usize::BITS - length.leading_zeros()) + 2)
 }
 
-/// What a jump to step `k` costs, in the unit of [`cost`]; infinite where none is possible.
+/// What a jump to step `k` costs, in the units of the cost model; infinite where none is possible.
 pub fn jumping(course: &Course, k: u64) -> f64 {
     let Some(cycle) = course.cycle() else { return f64::INFINITY };
     let size = course.start.len();

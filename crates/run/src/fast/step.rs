@@ -1,6 +1,6 @@
 //! The stepping engine: every protocol step, on integers over the common denominator Q^k.
 //!
-//! No gcd, no allocation and no branch on a value in the loop ([`Numbers`]).
+//! No gcd, no allocation and no branch on a value in the loop (`Numbers`).
 
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};

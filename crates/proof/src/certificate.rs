@@ -9,7 +9,6 @@ use std::path::{Path, PathBuf};
 use cordon_check::Verdict;
 use cordon_spec::theorems::Subject;
 use num_bigint::BigInt;
-use num_traits::{One, Signed};
 use serde_json::{Value, json};
 
 use crate::counterexample::Counterexample;
@@ -22,26 +21,6 @@ pub const SCHEMA: &str = "cordon-certificate/2";
 /// A certificate of that kind.
 pub fn sealed(kind: &str, body: Value) -> Value {
     json!({ "schema": SCHEMA, "certificate": { kind: body } })
-}
-
-/// Adds a coefficient times factors to a sum as text, in the checker's syntax.
-pub(crate) fn add_term(text: &mut String, c: &Rational, factors: &[&str]) {
-    *text += match (c.is_negative(), text.is_empty()) {
-        (true, true) => "-",
-        (true, false) => " - ",
-        (false, true) => "",
-        (false, false) => " + ",
-    };
-    let number = fraction(&c.abs());
-    let shown = !c.abs().is_one() || factors.is_empty();
-    let all: Vec<&str> =
-        shown.then_some(&*number).into_iter().chain(factors.iter().copied()).collect();
-    *text += &all.join("*");
-}
-
-/// What a sum without terms is.
-pub(crate) fn or_zero(text: String) -> String {
-    if text.is_empty() { "0".to_owned() } else { text }
 }
 
 fn numbers(x: &[Rational]) -> Vec<String> {

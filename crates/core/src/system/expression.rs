@@ -207,20 +207,6 @@ impl Expression {
             }
         }
     }
-
-    /// Whether a name occurs, alone or as an owner.
-    pub fn names(&self, wanted: &str) -> bool {
-        match &self.node {
-            Node::Number(_) => false,
-            Node::Name(name) => name == wanted,
-            Node::Member(owner, _) => owner == wanted,
-            Node::Indexed(_, inner) => inner.names(wanted),
-            Node::Sum(inner) => wanted == "sum" || inner.names(wanted),
-            Node::Plus(pair) | Node::Minus(pair) | Node::Times(pair) | Node::Over(pair) => {
-                pair.iter().any(|e| e.names(wanted))
-            }
-        }
-    }
 }
 
 /// The polynomial's value, where it is a number.
@@ -229,24 +215,33 @@ pub fn number(p: &Polynomial) -> Option<Rational> {
     (p.terms().all(|(m, _)| m.degree() == 0)).then_some(constant)
 }
 
+/// Adds a coefficient times factors to a sum in words.
+pub fn add_term(text: &mut String, c: &Rational, factors: &[&str]) {
+    *text += match (c.is_negative(), text.is_empty()) {
+        (true, true) => "-",
+        (true, false) => " - ",
+        (false, true) => "",
+        (false, false) => " + ",
+    };
+    let number = fraction(&c.abs());
+    let shown = !c.abs().is_one() || factors.is_empty();
+    let all: Vec<&str> =
+        shown.then_some(&*number).into_iter().chain(factors.iter().copied()).collect();
+    *text += &all.join("*");
+}
+
+/// What a sum without terms is.
+pub fn or_zero(text: String) -> String {
+    if text.is_empty() { "0".to_owned() } else { text }
+}
+
 /// A sum in words: of each term the coefficient and the factors' names.
 pub fn sum_text<'t>(terms: impl IntoIterator<Item = (&'t Rational, Vec<&'t str>)>) -> String {
     let mut text = String::new();
     for (c, factors) in terms {
-        let sign = match (text.is_empty(), c.is_negative()) {
-            (true, false) => "",
-            (true, true) => "-",
-            (false, false) => " + ",
-            (false, true) => " - ",
-        };
-        text.push_str(sign);
-        let magnitude = c.abs();
-        let number = (!magnitude.is_one() || factors.is_empty()).then(|| fraction(&magnitude));
-        let factors: Vec<String> =
-            number.into_iter().chain(factors.into_iter().map(str::to_owned)).collect();
-        text.push_str(&factors.join("*"));
+        add_term(&mut text, c, &factors);
     }
-    if text.is_empty() { "0".to_owned() } else { text }
+    or_zero(text)
 }
 
 /// Reads comparisons: expressions with `<`, `<=`, `=`, `>=`, `>` between, two or more

@@ -39,25 +39,4 @@ impl Map {
         }
         Some(Affine::new(constant, sums))
     }
-
-    /// This map after another.
-    pub fn after(&self, first: &Self) -> Self {
-        let width = first.rows.len();
-        let row = |(constant, row): &(Rational, Vec<(usize, Rational)>)| {
-            let mut constant = constant.clone();
-            let mut sums = vec![Rational::zero(); width];
-            for (j, a) in row {
-                let Some((b, inner)) = first.rows.get(*j) else { continue };
-                constant += a * b;
-                for (i, c) in inner {
-                    if let Some(sum) = sums.get_mut(*i) {
-                        *sum += a * c;
-                    }
-                }
-            }
-            let entries = sums.into_iter().enumerate().filter(|(_, a)| !a.is_zero());
-            (constant, entries.collect())
-        };
-        Self { rows: self.rows.iter().map(row).collect() }
-    }
 }

@@ -286,14 +286,6 @@ impl System {
         }
         run
     }
-
-    /// The state that the targets are, where convergence to them is claimed.
-    pub fn targets(&self) -> Option<&[Rational]> {
-        match &self.converges {
-            Some(Convergence::To(targets)) => Some(targets),
-            _ => None,
-        }
-    }
 }
 
 /// The names of all agents' variables, agent by agent: `x0, v0, x1, v1, ...`.

@@ -9,9 +9,10 @@ use num_traits::Zero;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use super::{add_term, or_zero, sealed};
+use super::sealed;
 use cordon_core::Rational;
 use cordon_core::exact::fraction;
+use cordon_core::system::expression::{add_term, or_zero};
 
 /// What runs: in each step one of the modes acts, with any values of the parameters.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -55,7 +55,7 @@ impl Quotient {
         if readouts.all.is_empty() || readouts.all.len() > MOST_READOUTS {
             return None;
         }
-        let rows = system.modes.iter().map(|m| readouts.quotient(m, system.state.len()));
+        let rows = system.modes.iter().map(|m| readouts.quotient(m));
         let rows = rows.collect::<Option<Vec<_>>>()?;
         let mut maps = Vec::new();
         for rows in &rows {

@@ -4,7 +4,7 @@ use num_traits::One;
 
 use super::{constants, converge, prove, refute};
 use cordon_core::linear::simplest::strictly_between;
-use cordon_core::system::{ParameterKind, System};
+use cordon_core::system::System;
 use cordon_core::{Rational, Result};
 
 /// Which property is asked for.
@@ -89,7 +89,6 @@ pub fn critical(
     digits: usize,
 ) -> Result<(Option<Bracket>, [Known; 2])> {
     let Some(p) = system.parameters.get(parameter) else { return Ok((None, [Known::Open; 2])) };
-    debug_assert!(p.kind == ParameterKind::Constant);
     let at = |value: &Rational| known(&with(system, parameter, value), property);
     let ends = [at(&p.low)?, at(&p.high)?];
     let (mut holds, mut fails) = match ends {

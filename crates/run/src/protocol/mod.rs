@@ -12,7 +12,7 @@ mod rules;
 use std::path::Path;
 
 use cordon_core::files::{self, Limit};
-use cordon_core::system::{Convergence, MOST_VARIABLES, Schedule, System, Variable, state_names};
+use cordon_core::system::{Convergence, MOST_VARIABLES, Schedule, System, Variable};
 use cordon_core::{Error, Result};
 
 use crate::scenario::document::document;
@@ -102,7 +102,6 @@ impl ProtocolFile {
                 self.name
             )));
         }
-        debug_assert!(built.state.starts_with(&state_names(count, &variables)));
         Ok(System {
             title: doc.title.clone().unwrap_or_else(|| self.name.clone()),
             agents: count,

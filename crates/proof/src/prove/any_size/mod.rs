@@ -13,6 +13,7 @@ use std::collections::BTreeMap;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Premises, Sign};
 use cordon_core::scalar::Polynomial;
+use cordon_core::system::expression::{add_term, or_zero};
 use cordon_core::{Error, Rational, Result, exact};
 use cordon_spec::Scalar;
 use num_traits::Zero;
@@ -448,13 +449,13 @@ impl Search<'_> {
         let mut text = String::new();
         let mut rest = Rational::from_integer(form[3].into());
         for (m, (name, f)) in multipliers.iter().zip(known).filter(|(m, _)| !m.is_zero()) {
-            crate::certificate::add_term(&mut text, m, &[&format!("[{name}]")]);
+            add_term(&mut text, m, &[&format!("[{name}]")]);
             rest -= m * Rational::from_integer(f[3].into());
         }
         if !rest.is_zero() {
-            crate::certificate::add_term(&mut text, &rest, &[]);
+            add_term(&mut text, &rest, &[]);
         }
-        Some(crate::certificate::or_zero(text))
+        Some(or_zero(text))
     }
 
     /// The instances of a clause near some agents, as facts with their names.

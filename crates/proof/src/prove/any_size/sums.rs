@@ -3,11 +3,11 @@
 use num_traits::{One, Zero};
 
 use super::text::{Literal, constant};
-use crate::certificate::{add_term, or_zero};
 use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Premises, Sign};
 use cordon_core::scalar::{Monomial, Polynomial};
+use cordon_core::system::expression::{add_term, or_zero};
 
 /// Something known, by the name that it has in a sum.
 #[derive(Clone, Debug)]

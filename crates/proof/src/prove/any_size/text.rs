@@ -4,9 +4,9 @@ use std::cell::RefCell;
 
 use num_traits::Zero;
 
-use crate::certificate::{add_term, or_zero};
 use cordon_core::linear::feasible::Sign;
 use cordon_core::scalar::{Monomial, Polynomial};
+use cordon_core::system::expression::{add_term, or_zero};
 use cordon_core::{Error, Rational, Result, exact};
 use cordon_spec::Scalar;
 

@@ -59,6 +59,7 @@ fn usage(error: &clap::Error) -> ExitCode {
 
 /// Runs the command. What it says goes to stdout, or to stderr where a file goes to stdout.
 fn run(cli: Cli, call: &Call<'_>) -> Result<Outcome> {
+    call.complete()?;
     let to_stderr = call.output()?;
     let beat = Heartbeat::start();
     let heartbeat = beat.as_ref();

@@ -7,6 +7,28 @@ use clap::parser::ValueSource;
 
 use cordon_core::{Error, Result, files};
 
+/// Commands, flags, and what else each flag needs to be given.
+const NEEDS: [(&str, &str, &str); 18] = [
+    ("trace", "form", "check"),
+    ("trace", "engine", "at"),
+    ("trace", "verify", "at"),
+    ("sweep", "seed", "sample"),
+    ("smt2", "agents", "protocol"),
+    ("smt2", "set", "protocol"),
+    ("smt2", "steps", "negate"),
+    ("smt2", "answer", "negate"),
+    ("prove", "agents", "protocol"),
+    ("prove", "set", "protocol"),
+    ("refute", "agents", "protocol"),
+    ("refute", "set", "protocol"),
+    ("refute", "start", "protocol"),
+    ("settle", "agents", "protocol"),
+    ("settle", "set", "protocol"),
+    ("threshold", "agents", "protocol"),
+    ("threshold", "set", "protocol"),
+    ("threshold", "parameter", "protocol"),
+];
+
 /// The command that was called, and what it was given.
 pub struct Call<'a> {
     command: &'a clap::Command,
@@ -21,6 +43,23 @@ impl<'a> Call<'a> {
             (command, matches) = (sub, inner);
         }
         Self { command, matches }
+    }
+
+    /// Refuses a flag that says nothing without another one. (clap's own `requires` is waived where that
+    /// other flag conflicts with one that is given, and the flag is then ignored in silence.)
+    ///
+    /// # Errors
+    /// The other flag is missing.
+    pub fn complete(&self) -> Result<()> {
+        let given = |id: &str| {
+            let known = self.command.get_arguments().any(|a| a.get_id() == id);
+            known && self.matches.value_source(id) == Some(ValueSource::CommandLine)
+        };
+        let here = NEEDS.iter().filter(|(command, ..)| *command == self.command.get_name());
+        let Some((_, flag, other)) = here.into_iter().find(|(_, f, o)| given(f) && !given(o)) else {
+            return Ok(());
+        };
+        Err(Error::input(format!("{flag}: expected --{other} with it")))
     }
 
     /// Looks at `--out` before any work is done. Answers whether the file goes to stdout, where

@@ -14,7 +14,7 @@ use super::trace::MAX_DIGITS;
 use cordon_core::exact;
 use cordon_core::{Error, Evidence, Outcome, Result};
 use cordon_run::projection::{self, Pair, Setup};
-use cordon_run::scenario::Scenario;
+use cordon_run::scenario::{Own, Scenario};
 
 /// Arguments of `cordon local`.
 #[derive(clap::Args, Debug)]
@@ -30,6 +30,10 @@ pub struct Args {
     /// Quotient eps/stepsize that the local machines count against, e.g. 7/2 [default: period - 1]
     #[arg(long, value_name = "P/Q", allow_hyphen_values = true)]
     ratio: Option<String>,
+    /// Draws what a protocol file leaves open in each step: lost and late messages, skipped updates,
+    /// modes [default: none is lost, late or skipped; the first mode]
+    #[arg(long, value_name = "SEED")]
+    seed: Option<u64>,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     format: OutputFormat,
@@ -50,7 +54,10 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if digits > MAX_DIGITS {
         return Err(Error::input(format!("digits: `{digits}`: expected at most {MAX_DIGITS}")));
     }
-    let scenario = args.scenario.scenario()?;
+    let scenario = args.scenario.drawn(args.seed)?;
+    if args.seed.is_some() && !scenario.own().is_some_and(Own::has_choices) {
+        return Err(Error::input("seed: expected together with a protocol file that leaves choices"));
+    }
     let last = scenario.tick_of_step(scenario.steps).unwrap_or(0);
     let setup = Setup {
         ticks: args.ticks.unwrap_or(last),

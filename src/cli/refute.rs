@@ -37,7 +37,7 @@ pub struct Args {
     #[command(flatten)]
     own: own_protocol::ProtocolArgs,
     /// With --protocol: only the run from this start
-    #[arg(long, value_name = "X,...", allow_hyphen_values = true, requires = "protocol")]
+    #[arg(long, value_name = "X,...", allow_hyphen_values = true)]
     start: Option<String>,
     /// Form of the theorem: its start set, and its weights where --eps is not given
     #[arg(long, value_enum, default_value_t = FormArg::Sharp, conflicts_with = "protocol")]

@@ -85,12 +85,16 @@ impl ScenarioArgs {
         )))
     }
 
-    /// The checked scenario, what it says about the drones' bodies, and where.
+    /// The checked scenario, what it says about the drones' bodies, and where; a seed draws what its
+    /// protocol file leaves open in each step.
     ///
     /// # Errors
     /// The file cannot be read or a field is wrong.
-    pub fn scenario_and_flight(&self) -> Result<(Scenario, Flight, Places)> {
-        self.read(None)
+    pub fn scenario_and_flight(
+        &self,
+        seed: Option<u64>,
+    ) -> Result<(Scenario, Flight, Places)> {
+        self.read(seed)
     }
 
     fn read(&self, seed: Option<u64>) -> Result<(Scenario, Flight, Places)> {

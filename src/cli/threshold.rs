@@ -27,7 +27,7 @@ pub struct Args {
     #[command(flatten)]
     own: own_protocol::ProtocolArgs,
     /// With --protocol: the parameter whose critical value is wanted [default: the only one with a range]
-    #[arg(long, value_name = "NAME", requires = "protocol", help_heading = "Own protocol")]
+    #[arg(long, value_name = "NAME", help_heading = "Own protocol")]
     parameter: Option<String>,
     /// Number of drones, 3 to 1000; separation is the same for all numbers
     #[arg(long, value_name = "N", conflicts_with = "protocol")]

@@ -146,6 +146,9 @@ fn linked_files_exist() {
                 continue;
             }
             assert!(folder.join(path).exists(), "{document} links to `{path}`");
+            // A book has nothing above itself.
+            let leaves = document.starts_with("docs/") && path.starts_with("..");
+            assert!(!leaves, "{document} links to `{path}`, which is not in the book");
             links += 1;
         }
     }

@@ -47,6 +47,8 @@ trace tests/cases/cli/table-for-text.toml
 trace tests/cases/cli/list-for-text.toml
 trace tests/cases/cli/decimal-for-whole.toml
 trace scenarios/paper.toml --form paper
+trace scenarios/paper.toml --engine jump --steps 3
+trace scenarios/paper.toml --verify --steps 3
 trace scenarios/paper.toml --format json --numbers fraction
 trace scenarios/paper.toml --format itf --digits 3
 trace scenarios/paper.toml --numbers fraction --digits 3
@@ -59,6 +61,7 @@ local scenarios/paper.toml --ratio -1
 local scenarios/paper.toml --ticks 100001
 local scenarios/paper.toml --digits 3 --format json
 local scenarios/paper.toml --digits 10001
+local scenarios/paper.toml --seed 1
 cosim scenarios/paper.toml --master slave
 cosim scenarios/paper.toml --integrator rk4
 cosim scenarios/paper.toml --exchange morse
@@ -89,12 +92,14 @@ sweep 7.2 --eps-range 1..0
 sweep 7.2 --max-denominator 1000000000
 sweep 7.2 --grid 0
 sweep 7.2 --sample 0
+sweep 7.2 --complete --seed 3
 sweep 7.2 --steps 100001
 sweep 7.2 --threads 0
 sweep 7.2 --shard 4/3
 sweep 7.2 --out -
 sweep merge Cargo.toml
 refute 9.9
+refute 7.2 --start 0,1
 refute 7.2 --drones 2
 refute 7.2 --drones 5..4
 refute 7.2 --eps 1..2000

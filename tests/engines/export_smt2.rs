@@ -338,7 +338,7 @@ fn bad_input_is_named() {
             &["7.2", "--negate", "--drones", "3"],
             "error: --negate: 7.2 with 3 drones holds for all 0 <= eps <= 1",
         ),
-        (&["--steps", "2"], "error: the following required arguments were not provided"),
+        (&["--steps", "2"], "error: --steps: expected --negate with it"),
         (&["7.2", "--negate", "--steps", "9"], "error: invalid value '9'"),
     ] {
         let mut full = vec!["export", "smt2"];

@@ -18,7 +18,7 @@ use cordon_cosim::cosimulation::{Cosimulation, Loader};
 use cordon_cosim::fmi::import::{Isolation, substitute};
 use cordon_cosim::store::{self, Format};
 use cordon_cosim::{exact_run, run as engine};
-use cordon_run::scenario::Flight;
+use cordon_run::scenario::{Flight, Own};
 
 /// Arguments of `cordon cosim`.
 #[derive(clap::Args, Debug)]
@@ -60,7 +60,8 @@ pub struct FlightArgs {
     /// ascending, descending, or a list like 2,0,1 [default: at-once]
     #[arg(long, value_name = "ORDER", help_heading = "Flight")]
     order: Option<String>,
-    /// Seed of the random faults [default: 0]
+    /// Seed of the random faults [default: 0], and of what a protocol file leaves open in each step
+    /// [default: none is lost, late or skipped; the first mode]
     #[arg(long, value_name = "NUMBER", help_heading = "Flight")]
     seed: Option<u64>,
     /// Arithmetic of the authors' recorded runs, to the last bit
@@ -154,7 +155,13 @@ impl FlightArgs {
         scenario: &ScenarioArgs,
         exchange: &str,
     ) -> Result<Cosimulation> {
-        let (checked, flight, mut places) = scenario.scenario_and_flight()?;
+        let (checked, flight, mut places) = scenario.scenario_and_flight(self.seed)?;
+        let chosen = checked.own().is_some_and(Own::has_choices);
+        if self.seed.is_some() && flight.faults.is_empty() && !chosen {
+            return Err(Error::input(
+                "seed: expected together with faults, or with a protocol file that leaves choices",
+            ));
+        }
         let flags = Flight {
             duration: self.duration.as_deref().map(|t| exact::parse("duration", t)).transpose()?,
             integrator: self.integrator.clone(),

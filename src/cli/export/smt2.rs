@@ -44,10 +44,10 @@ pub struct Args {
     #[arg(long)]
     pub negate: bool,
     /// With --negate: look at steps up to K, at most 8
-    #[arg(long, value_name = "K", default_value_t = 1, requires = "negate", value_parser = clap::value_parser!(u8).range(0..=8))]
+    #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u8).range(0..=8))]
     pub steps: u8,
     /// With --negate and one claim and N: read a solver's answer (`-`: stdin) and replay its model exactly
-    #[arg(long, value_name = "FILE", requires = "negate", conflicts_with = "out")]
+    #[arg(long, value_name = "FILE", conflicts_with = "out")]
     pub answer: Option<PathBuf>,
     /// Write to a file [default: stdout]
     #[arg(long, value_name = "FILE")]

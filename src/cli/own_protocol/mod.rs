@@ -29,13 +29,12 @@ pub struct ProtocolArgs {
     pub protocol: Option<PathBuf>,
     /// Of a protocol for any number of agents, this number [default: in `prove` every number, else the
     /// fewest]
-    #[arg(long, value_name = "N", requires = "protocol", help_heading = "Own protocol")]
+    #[arg(long, value_name = "N", help_heading = "Own protocol")]
     pub agents: Option<usize>,
     /// A parameter's value or range in the place of the file's: `eps=1/3`, `gain=0..2`
     #[arg(
         long,
         value_name = "NAME=X|LO..HI",
-        requires = "protocol",
         allow_hyphen_values = true,
         help_heading = "Own protocol"
     )]
@@ -48,15 +47,7 @@ impl ProtocolArgs {
     /// # Errors
     /// The file is wrong, a parameter is not there, or no start meets the assumptions.
     pub fn system(&self) -> Result<Option<(ProtocolFile, System)>> {
-        let Some(path) = &self.protocol else {
-            let flag = [("agents", self.agents.is_some()), ("set", !self.set.is_empty())];
-            return match flag.into_iter().find(|(_, given)| *given) {
-                Some((flag, _)) => {
-                    Err(Error::input(format!("{flag}: expected --protocol with it")))
-                }
-                None => Ok(None),
-            };
-        };
+        let Some(path) = &self.protocol else { return Ok(None) };
         let file = read(path)?;
         let system = self.sized(&file, self.agents.unwrap_or(file.agents.fewest()))?;
         if claims::is_vacuous(&system) {

@@ -51,7 +51,7 @@ pub(super) struct Options {
     #[arg(long, value_name = "M")]
     sample: Option<u64>,
     /// Seed of the draws [default: a new one]
-    #[arg(long, value_name = "S", requires = "sample")]
+    #[arg(long, value_name = "S")]
     seed: Option<u64>,
     /// Threads, 1 to 1024 [default: one for each core]
     #[arg(long, value_name = "T")]

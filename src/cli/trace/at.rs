@@ -25,13 +25,12 @@ pub struct AtArgs {
     )]
     pub at: Vec<u64>,
     /// How chosen steps are computed
-    #[arg(long, value_enum, requires = "at", default_value_t, help_heading = "Chosen steps")]
+    #[arg(long, value_enum, default_value_t, help_heading = "Chosen steps")]
     pub engine: Method,
     /// Compare with the plain spec modulo random primes, as many as given, 1 to 64 [default: 3]
     #[arg(
         long,
         value_name = "PRIMES",
-        requires = "at",
         num_args = 0..=1,
         default_missing_value = "3",
         value_parser = clap::value_parser!(u8).range(1..=64),

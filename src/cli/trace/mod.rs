@@ -44,7 +44,7 @@ pub struct Args {
     #[arg(long, value_name = "NUMBERS")]
     check: Option<String>,
     /// Form of the checked theorems
-    #[arg(long, value_enum, default_value_t = FormArg::Sharp, requires = "check")]
+    #[arg(long, value_enum, default_value_t = FormArg::Sharp)]
     form: FormArg,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]

@@ -9,7 +9,7 @@ use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::answer::Answer;
-use super::growth::{Growth, MAX_ANSWER_BYTES, limbs_for, log2_above, longest, readable};
+use super::growth::{Growth, MAX_ANSWER_BYTES, MAX_STEPPING, limbs_for, log2_above, longest, readable};
 use super::limbs;
 use super::step::{Numbers, Weight};
 use crate::scenario::Own;
@@ -115,6 +115,37 @@ impl Course {
             readable(bytes),
             readable(MAX_ANSWER_BYTES)
         )))
+    }
+
+    /// Refuses a run that makes every step up to step `last` and would never end; `field` is what `given`
+    /// was given for.
+    ///
+    /// # Errors
+    /// The steps take more than `MAX_STEPPING`: says how long the numbers become.
+    pub fn refuse_endless(&self, field: &str, given: u64, last: u64) -> Result<()> {
+        if self.stepping(last) <= MAX_STEPPING {
+            return Ok(());
+        }
+        Err(Error::input(format!(
+            "{field}: `{given}`: expected fewer: {} state variables make numbers of {} bits by then",
+            self.start.len() - 1,
+            self.numerator_bits(last)
+        )))
+    }
+
+    /// As [`Self::refuse_endless`], before all the steps are drawn: a few show how large the numbers of
+    /// all get.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn refuse_endless_draws(
+        own: &Own,
+        start: &[Rational],
+        field: &str,
+        given: u64,
+        last: u64,
+    ) -> Result<()> {
+        Self::drawn(own, start, last.min(64)).refuse_endless(field, given, last)
     }
 
     /// What all steps up to step k cost, in the units of the cost model.

@@ -48,11 +48,14 @@ impl Motion {
     /// The motion of a scenario, up to step `last` where its steps are drawn.
     ///
     /// # Errors
-    /// Formation, consensus on another graph than the path, or a start that fits no line.
+    /// Formation, consensus on another graph than the path, or a start that fits no line; drawn steps that
+    /// would take for ever.
     pub fn of(scenario: &Scenario, last: u64) -> Result<Self> {
         match scenario.own() {
             Some(own) if own.cycle().is_none() => {
-                Ok(Self::Course(Course::drawn(own, &scenario.whole_start(), last).into()))
+                let start = scenario.whole_start();
+                Course::refuse_endless_draws(own, &start, "at", last, last)?;
+                Ok(Self::Course(Course::drawn(own, &start, last).into()))
             }
             _ => Rule::of(scenario)?.motion(&scenario.whole_start()),
         }

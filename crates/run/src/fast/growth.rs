@@ -11,6 +11,10 @@ use cordon_core::{Error, Result};
 /// Most bytes of an exact answer. The engines need up to six times as much while they work.
 pub const MAX_ANSWER_BYTES: u64 = 1 << 30;
 
+/// Most limb operations of a run that makes every step, about ten minutes. An exact run of k steps
+/// with weight p/q makes numbers of k*log2(q) bits, hence N*k^2*log2(q)/128 limb operations.
+pub const MAX_STEPPING: f64 = 1e12;
+
 /// An upper bound of `log2 n` for n >= 1; 0 for n = 1.
 pub fn log2_above(n: &BigInt) -> f64 {
     let bits = n.bits();

@@ -54,7 +54,7 @@ pub struct Draft {
     pub displacement: Option<Vec<Rational>>,
     /// Values of an own protocol's parameters, by name.
     pub parameters: BTreeMap<String, Rational>,
-    /// Seed that draws what an own protocol leaves open in each step.
+    /// Seed that draws what an own protocol leaves open in each step; the others leave nothing.
     pub choices: Option<u64>,
     /// The drones' bodies, for co-simulation.
     pub flight: Flight,
@@ -230,7 +230,13 @@ impl Draft {
         {
             return Err(Error::input("parameters.eps: given as weight too: expected one of them"));
         }
-        let own = Own::new(path.to_owned(), file.with_agents(agents)?, &given, self.choices)?;
+        let system = file.with_agents(agents)?;
+        if self.weight.is_some() && system.parameters.iter().all(|p| p.name != "eps") {
+            return Err(Error::input(format!(
+                "weight: expected none: `{path}` has no parameter `eps`"
+            )));
+        }
+        let own = Own::new(path.to_owned(), system, &given, self.choices)?;
         Ok((own, start.clone()))
     }
 
@@ -315,12 +321,6 @@ impl Draft {
         let parameters = self.parameters.keys().next().map(|name| format!("parameters.{name}"));
         if let Some(field) = parameters {
             return Err(Error::input(format!("{field}: not a field of protocol `{name}`")));
-        }
-        if self.choices.is_some() {
-            return Err(Error::input(format!(
-                "seed: expected `--verify` too, or a protocol file that leaves choices, found \
-                 protocol `{name}`"
-            )));
         }
         let foreign = [
             ("graph", coverage && (self.graph.is_some() || self.edges.is_some())),

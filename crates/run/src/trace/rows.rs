@@ -3,6 +3,7 @@
 use num_traits::ToPrimitive;
 
 use super::positions::Positions;
+use crate::fast::growth::MAX_STEPPING;
 use crate::fast::{Answer, Course, Line, Motion, course, engine, jump, leap, step};
 use crate::scenario::{Protocol, Scenario, Topology};
 use crate::simulate;
@@ -87,10 +88,6 @@ pub struct Row {
 
 /// Most rows of one trace: more is a slip of the keyboard, and would fill the memory.
 const MAX_ROWS: u64 = 10_000_000;
-
-/// Most limb operations of one trace, about ten minutes of stepping. An exact run of k steps
-/// with weight p/q makes numbers of k*log2(q) bits, hence N*k^2*log2(q)/128 limb operations.
-const MAX_WORK: f64 = 1e12;
 
 /// The selected rows of the scenario's run, each computed when it is asked for.
 ///
@@ -213,7 +210,7 @@ fn refuse_endless(scenario: &Scenario, unit: Counted, to: u64) -> Result<()> {
     let steps = last as f64;
     let drones = scenario.count() as f64;
     let bits = scenario.weight.denom().to_f64().unwrap_or(f64::MAX).log2().max(1.0);
-    if drones * steps * (steps * bits / 128.0 + 1.0) <= MAX_WORK {
+    if drones * steps * (steps * bits / 128.0 + 1.0) <= MAX_STEPPING {
         return Ok(());
     }
     let name = unit.name();
@@ -229,20 +226,11 @@ fn refuse_endless(scenario: &Scenario, unit: Counted, to: u64) -> Result<()> {
 fn refuse_endless_course(scenario: &Scenario, unit: Counted, to: u64, last: u64) -> Result<()> {
     let Some(own) = scenario.own() else { return Ok(()) };
     let start = scenario.whole_start();
-    let course = match own.cycle() {
-        Some(maps) => Course::in_turn(&maps, &start),
-        // A few drawn steps show how large the numbers of all get.
-        None => Course::drawn(own, &start, last.min(64)),
-    };
-    if course.stepping(last) <= MAX_WORK {
-        return Ok(());
+    let field = format!("{}s", unit.name());
+    match own.cycle() {
+        Some(maps) => Course::in_turn(&maps, &start).refuse_endless(&field, to, last),
+        None => Course::refuse_endless_draws(own, &start, &field, to, last),
     }
-    let name = unit.name();
-    Err(Error::input(format!(
-        "{name}s: `{to}`: expected fewer: {} state variables make numbers of {} bits by then",
-        scenario.start.len(),
-        course.numerator_bits(last)
-    )))
 }
 
 #[cfg(test)]

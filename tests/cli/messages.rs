@@ -162,5 +162,5 @@ fn every_message_is_as_it_was_read() {
         assert_eq!(found, expected);
     }
     assert_eq!(found.len(), expected.len());
-    assert_eq!(CALLS.lines().count(), 119);
+    assert_eq!(CALLS.lines().count(), 124);
 }

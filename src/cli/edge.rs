@@ -56,7 +56,8 @@ impl<'a> Call<'a> {
             known && self.matches.value_source(id) == Some(ValueSource::CommandLine)
         };
         let here = NEEDS.iter().filter(|(command, ..)| *command == self.command.get_name());
-        let Some((_, flag, other)) = here.into_iter().find(|(_, f, o)| given(f) && !given(o)) else {
+        let Some((_, flag, other)) = here.into_iter().find(|(_, f, o)| given(f) && !given(o))
+        else {
             return Ok(());
         };
         Err(Error::input(format!("{flag}: expected --{other} with it")))

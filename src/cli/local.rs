@@ -56,7 +56,9 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     }
     let scenario = args.scenario.drawn(args.seed)?;
     if args.seed.is_some() && !scenario.own().is_some_and(Own::has_choices) {
-        return Err(Error::input("seed: expected together with a protocol file that leaves choices"));
+        return Err(Error::input(
+            "seed: expected together with a protocol file that leaves choices",
+        ));
     }
     let last = scenario.tick_of_step(scenario.steps).unwrap_or(0);
     let setup = Setup {

@@ -90,10 +90,7 @@ impl ScenarioArgs {
     ///
     /// # Errors
     /// The file cannot be read or a field is wrong.
-    pub fn scenario_and_flight(
-        &self,
-        seed: Option<u64>,
-    ) -> Result<(Scenario, Flight, Places)> {
+    pub fn scenario_and_flight(&self, seed: Option<u64>) -> Result<(Scenario, Flight, Places)> {
         self.read(seed)
     }
 

@@ -31,9 +31,14 @@ pub fn positivity(instances: &[Value], sum: &str) -> Value {
     positivity_times(&[], instances, sum)
 }
 
+/// The facts contradict each other: -1, times positive facts, as a sum.
+pub fn absurd_times(times: &[&str], instances: &[Value], sum: &str) -> Value {
+    json!({ "absurd": positivity_times(times, instances, sum)["positivity"] })
+}
+
 /// The facts contradict each other: -1 as a sum.
 pub fn absurd(instances: &[Value], sum: &str) -> Value {
-    json!({ "absurd": positivity(instances, sum)["positivity"] })
+    absurd_times(&[], instances, sum)
 }
 
 /// A variable at the bound that the literal `on` sets, or beyond.
@@ -96,6 +101,15 @@ impl Sheet {
     /// A certificate about that system.
     pub fn new(system: Value) -> Self {
         Self { system, ..Self::default() }
+    }
+
+    /// A certificate about a protocol at any weight.
+    pub fn of_any_weight(protocol: &str, drones: Option<u32>) -> Self {
+        let mut system = json!({ "protocol": protocol, "steps": "full" });
+        if let Some(n) = drones {
+            system["drones"] = json!(n);
+        }
+        Self::new(system)
     }
 
     /// A certificate about a user's system of any size.

@@ -1,10 +1,10 @@
-//! What every proof begins with: the range of weights, the ends, the targets as bounds.
+//! What every proof begins with: the range of weights, the ends, the targets as bounds; and two shapes of proofs.
 
 use cordon_spec::theorems::{Form, StartSet, Theorem, WeightRange};
 use num_rational::BigRational as Rational;
 use serde_json::{Map, Value, json};
 
-use super::builder::{Sheet, absurd, cases, clause, induction, instance, positivity, split};
+use super::builder::{Sheet, absurd, cases, clause, instance, positivity, split};
 
 /// How a step is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,11 +26,6 @@ pub struct Scope {
     pub weights: Option<(Rational, Rational)>,
     /// One N in the place of every N.
     pub drones: Option<u32>,
-}
-
-/// `(N-1) * e_i` at step `k`.
-pub fn error(k: &str, i: &str) -> String {
-    format!("last*min + ({i})*(max - min) - last*x({k},{i})")
 }
 
 /// The system of a theorem.
@@ -141,29 +136,9 @@ pub fn weights(sheet: &mut Sheet, theorem: Theorem, scope: &Scope) -> Weights {
 }
 
 /// The end drones stay: lemmas `END0` and `ENDL`.
-pub fn ends(sheet: &mut Sheet, steps: Steps) {
-    for (name, class, at, place) in [("END0", "first", "0", "min"), ("ENDL", "last", "last", "max")]
-    {
-        let rest = if steps == Steps::Activation {
-            format!(" + (1 - active(k,{at}))*[ih]")
-        } else {
-            String::new()
-        };
-        let mut used = vec![instance("h", &format!("step.{class}"), "k=k", "k=[k]")];
-        if steps == Steps::Activation {
-            used.push(instance("ih", "IH", "t=k", "k=[k], t=0"));
-        }
-        sheet.lemma(
-            clause(name, "k", &["k: k >= 0"], &format!("x(k,{at}) = {place}")),
-            induction(
-                "k",
-                "k",
-                "t",
-                positivity(&[], &format!("[start.{class}]")),
-                positivity(&used, &format!("[h]{rest}")),
-            ),
-        );
-    }
+pub fn ends(sheet: &mut Sheet, steps: Steps) -> Option<()> {
+    let script = if steps == Steps::Activation { "@endsactive" } else { "@ends" };
+    sheet.read(script, &[]).ok()
 }
 
 /// Cases for a drone: the first, the last, inner ones. The literals are `i: i >= 0` and `u: last - i >= 0`; in the
@@ -196,42 +171,38 @@ pub fn by_activity(name: &str, i: &str, on: Value, off: Value) -> Value {
     )
 }
 
-/// A property of every drone: a linear function of its position and index that the step averages.
+/// A property of every drone: a linear function f of its position and index that the step averages
+/// (`scripts/family.proof`).
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
     /// The name of the lemma.
     pub name: &'static str,
     /// The function at (k, i).
-    pub of: fn(&str, &str) -> String,
+    of: &'static str,
     /// Its relation to 0.
-    pub relation: &'static str,
+    relation: &'static str,
     /// The factor of the position.
-    pub slope: &'static str,
-    /// What it is at drone 0 and at drone N-1, as sums of facts.
-    pub ends: [&'static str; 2],
+    slope: &'static str,
+    /// What is added at drone 0 and at drone N-1 for f to be what it is there.
+    ends: [&'static str; 2],
 }
 
 /// X_i <= T_i.
 pub const UPPER: Family =
-    Family { name: "UB", of: |k, i| error(k, i), relation: ">=", slope: "(-last)", ends: ["", ""] };
+    Family { name: "UB", of: "@e(k, i)", relation: ">=", slope: "(-last)", ends: ["", ""] };
 
 /// X_i >= T_i.
-pub const LOWER: Family = Family {
-    name: "LB",
-    of: |k, i| format!("-({})", error(k, i)),
-    relation: ">=",
-    slope: "last",
-    ends: ["", ""],
-};
+pub const LOWER: Family =
+    Family { name: "LB", of: "-(@e(k, i))", relation: ">=", slope: "last", ends: ["", ""] };
 
 /// X_i = T_i.
 pub const TARGET: Family =
-    Family { name: "AT", of: |k, i| error(k, i), relation: "=", slope: "(-last)", ends: ["", ""] };
+    Family { name: "AT", of: "@e(k, i)", relation: "=", slope: "(-last)", ends: ["", ""] };
 
 /// X_i >= min.
 pub const ABOVE: Family = Family {
     name: "MIN",
-    of: |k, i| format!("x({k},{i}) - min"),
+    of: "x(k,i) - min",
     relation: ">=",
     slope: "1",
     ends: ["", " + [segment]"],
@@ -240,106 +211,80 @@ pub const ABOVE: Family = Family {
 /// X_i <= max.
 pub const BELOW: Family = Family {
     name: "MAX",
-    of: |k, i| format!("max - x({k},{i})"),
+    of: "max - x(k,i)",
     relation: ">=",
     slope: "(-1)",
     ends: [" + [segment]", ""],
 };
 
-/// The clause that a family holds from step `from` on.
-pub fn family_clause(f: &Family, from: &str) -> Value {
-    let given = [&format!("k: k >= {from}"), "i: i >= 0", "u: last - i >= 0"];
-    clause(f.name, "k i", &given, &format!("{} {} 0", (f.of)("k", "i"), f.relation))
-}
+impl Family {
+    /// The family in the terms of its script: `say` is `lemma` or `conclude`, `base` a proof of what it
+    /// says of step 0.
+    pub fn terms(
+        &self,
+        say: &'static str,
+        steps: Steps,
+        base: &'static str,
+    ) -> Vec<(&'static str, &'static str)> {
+        // What the family needs of the weights; an equation needs nothing.
+        let (eps, half) =
+            if self.relation == "=" { ("eps", "(1 - 2*eps)") } else { ("[eps]", "[half]") };
+        let inner = match steps {
+            Steps::Full => "@full",
+            Steps::Activation => "@activation",
+            Steps::Delay => "@delay",
+        };
+        let [first, last] = self.ends;
+        vec![
+            ("say", say),
+            ("name", self.name),
+            ("f(k, i)", self.of),
+            ("relation", self.relation),
+            ("slope", self.slope),
+            ("first", first),
+            ("last", last),
+            ("eps", eps),
+            ("half", half),
+            ("inner", inner),
+            ("base", base),
+            ("from", "0"),
+            ("later", "[k]"),
+        ]
+    }
 
-/// A family holds from step `from` on (which is known to be at least 0 as the sum `later` of facts, k - `from` being
-/// the fact `k`), as `base` says of that step: induction over steps, by class of drone.
-pub fn family_proof(f: &Family, steps: Steps, base: Value, later: &str) -> Value {
-    let slope = f.slope;
-    let end = |n: &str, lemma: &str, sum: &str| {
-        let k = format!("k={later} + 1");
-        positivity(&[instance("z", lemma, "k=k + 1", &k)], &format!("{n}*[z]{sum}"))
-    };
-    let h = |with: &str| instance("h", "step.inner", with, &format!("k={later}, i=[i], n=[u]"));
-    let ih = |name: &str, at: &str, given: &str| {
-        instance(name, "IH", &format!("t=k, i={at}"), &format!("k=[k], t=0, {given}"))
-    };
-    let own = ih("o", "i", "i=[i] + 1, u=[u] + 1");
-    let (left, right) = ("i=[i], u=[u] + 2", "i=[i] + 2, u=[u]");
-    // What the family needs of the weights; an equation needs nothing.
-    let (eps, half) = if f.relation == "=" { ("eps", "(1 - 2*eps)") } else { ("[eps]", "[half]") };
-    let average = format!("{eps}*[l] + {half}*[o] + {eps}*[r] + {slope}*[h]");
-    let neighbours = [own.clone(), ih("l", "i - 1", left), ih("r", "i + 1", right)];
-    let inner = match steps {
-        Steps::Full => positivity(&[&[h("k=k, i=i")], &neighbours[..]].concat(), &average),
-        Steps::Activation => {
-            let all = [&[h("k=k, i=i")], &neighbours[..]].concat();
-            let active = |rest: &str| {
-                format!(
-                    "{average} + {slope}*(eps*x(k,i-1) - 2*eps*x(k,i) + eps*x(k,i+1))*[a{rest}]"
-                )
-            };
-            by_activity(
-                "a",
-                "i",
-                positivity(&all, &active("-1")),
-                positivity(
-                    &[h("k=k, i=i"), own],
-                    &format!(
-                        "[o] + {slope}*[h] + {slope}*(eps*x(k,i-1) - 2*eps*x(k,i) + eps*x(k,i+1))*[a]"
-                    ),
-                ),
-            )
-        }
-        Steps::Delay => {
-            let seen = |j: &str| format!("seen(k,i,{j})");
-            let mut all = vec![h("k=k, i=i"), own];
-            for (n, j, given) in [("l", "i - 1", left), ("r", "i + 1", right)] {
-                let with = format!("k=k, i=i, j={j}");
-                all.push(instance(&format!("{n}low"), "seen.low", &with, &format!("k={later}")));
-                all.push(instance(&format!("{n}high"), "seen.high", &with, &format!("k={later}")));
-                let given = format!("k=[{n}low], t=[{n}high], {given}");
-                all.push(instance(n, "IH", &format!("t={}, i={j}", seen(j)), &given));
-            }
-            positivity(&all, &average)
-        }
-    };
-    induction(
-        "k",
-        "k",
-        "t",
-        base,
-        by_class(end(slope, "END0", f.ends[0]), end(slope, "ENDL", f.ends[1]), inner),
-    )
+    /// It holds from step 0 on.
+    pub fn prove(
+        &self,
+        sheet: &mut Sheet,
+        say: &'static str,
+        steps: Steps,
+        base: &'static str,
+    ) -> Option<()> {
+        sheet.read("@family", &self.terms(say, steps, base)).ok()
+    }
 }
 
 /// The start set implies X_i^0 <= T_i: the base of [`UPPER`].
-pub fn start_below(starts: StartSet) -> Option<Value> {
+pub fn start_below(starts: StartSet) -> Option<&'static str> {
     match starts {
-        StartSet::UpperBounded => {
-            Some(positivity(&[instance("h", "start.bound", "i=i", "i=[i], n=[u]")], "[h]"))
-        }
-        StartSet::FirstSubsegment => Some(by_class(
-            positivity(&[], "-last*[start.first]"),
-            positivity(&[], "-last*[start.last]"),
-            positivity(
-                &[instance("h", "start.segment", "i=i", "i=[i], n=[u]")],
-                "[h] + [i]*[segment]",
-            ),
-        )),
+        StartSet::UpperBounded => Some("by [h]\n  h = start.bound(i=i; i=[i], n=[u])"),
+        StartSet::FirstSubsegment => Some(
+            "class\n  by -last*[start.first]\n  by -last*[start.last]\n  by [h] + [i]*[segment]\n    \
+             h = start.segment(i=i; i=[i], n=[u])",
+        ),
         _ => None,
     }
 }
 
 /// X_i^k <= T_i for all i and k, as lemma `UB`, if the hypothesis gives it.
-pub fn upper_bound(sheet: &mut Sheet, theorem: Theorem, scope: &Scope, known: Weights) -> bool {
-    let base = start_below(theorem.hypothesis(scope.form).starts);
-    match base.filter(|_| known.eps && known.half) {
-        Some(base) => {
-            ends(sheet, Steps::Full);
-            sheet.lemma(family_clause(&UPPER, "0"), family_proof(&UPPER, Steps::Full, base, "[k]"));
-            true
-        }
-        None => false,
-    }
+pub fn upper_bound(
+    sheet: &mut Sheet,
+    theorem: Theorem,
+    scope: &Scope,
+    known: Weights,
+) -> Option<()> {
+    let base = start_below(theorem.hypothesis(scope.form).starts)?;
+    (known.eps && known.half).then_some(())?;
+    ends(sheet, Steps::Full)?;
+    UPPER.prove(sheet, "lemma", Steps::Full, base)
 }

@@ -1,9 +1,10 @@
 //! Proofs: the untrusted search for certificates. What it finds counts only once the independent checker
 //! (`cordon-check`) has accepted it.
 //!
-//! The search knows one strategy a shape of theorem: induction over steps with cases over the
-//! drones (`invariants`), telescoping sums and fronts (`sums`), contraction (`limit`). The range
-//! of weights and the number of drones are filled in.
+//! For a user's protocol the proof is searched ([`any_size`]). For the theorems it is known, and written down as
+//! one reads it (`scripts/`, the language is described in `script.rs`): induction over steps with cases over the
+//! drones (`invariants`), telescoping sums and fronts (`sums`), contraction (`limit`). The range of weights and the
+//! number of drones are filled in.
 
 pub mod any_size;
 mod builder;
@@ -11,6 +12,7 @@ mod invariants;
 mod lemmas;
 mod limit;
 mod others;
+mod script;
 mod sums;
 
 use cordon_spec::theorems::{Form, Theorem};

@@ -9,7 +9,9 @@ use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::answer::Answer;
-use super::growth::{Growth, MAX_ANSWER_BYTES, MAX_STEPPING, limbs_for, log2_above, longest, readable};
+use super::growth::{
+    Growth, MAX_ANSWER_BYTES, MAX_STEPPING, limbs_for, log2_above, longest, readable,
+};
 use super::limbs;
 use super::step::{Numbers, Weight};
 use crate::scenario::Own;

@@ -22,7 +22,7 @@ use automaton::Automaton;
 use search::{Answer, Limits, Proof, Search};
 
 /// How far a proof is searched.
-pub const PROOF: Limits = Limits { steps: 150, half_spaces: 300, programs: 2_500 };
+pub const PROOF: Limits = Limits { steps: 150, half_spaces: 300, work: 100_000_000 };
 
 /// Whether no start meets the assumptions, so that there is nothing to prove.
 pub fn is_vacuous(system: &System) -> bool {
@@ -50,17 +50,17 @@ pub fn prove_within(system: &System, limits: &Limits) -> Option<Proved> {
     let attempt = |system: &System, limits: &Limits| {
         let automaton = Automaton::of(system);
         let starts = system.start_constraints();
-        let search = Search::new(system, &automaton, system.parameters.clone(), starts);
-        match search.run(limits) {
+        let parameters = system.parameters.clone();
+        match Search::new(system, &automaton, parameters, starts, *limits).run() {
             Answer::Proved(proof) => Some(Proved { system: system.clone(), proof }),
-            Answer::Refuted(..) | Answer::Open(_) => None,
+            Answer::Refuted(..) | Answer::Open(..) => None,
         }
     };
     // A first short attempt: pre-images of bounded claims are exhausted soon, others never.
     let short = Limits {
         steps: limits.steps.min(40),
         half_spaces: limits.half_spaces.min(200),
-        programs: limits.programs.min(1_000),
+        work: limits.work / 3,
     };
     attempt(system, &short)
         .or_else(|| attempt(&bounds::bounded(system)?, limits))

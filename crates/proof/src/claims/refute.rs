@@ -80,9 +80,9 @@ pub fn refute(
             },
             None => steps,
         };
-        let limits = Limits { steps: deepest, half_spaces: 1_000, programs: 5_000 };
-        let search = Search::new(system, &automaton, super::at(system, values), starts.clone());
-        match search.run(&limits) {
+        let limits = Limits { steps: deepest, half_spaces: 1_000, work: 100_000_000 };
+        let parameters = super::at(system, values);
+        match Search::new(system, &automaton, parameters, starts.clone(), limits).run() {
             Answer::Refuted(start, choices) => {
                 if let Some(run) = follow(system, values, &start, choices)
                     && best.as_ref().is_none_or(|b| run.step < b.step)
@@ -91,7 +91,7 @@ pub fn refute(
                 }
             }
             Answer::Proved(_) => {}
-            Answer::Open(depth) => {
+            Answer::Open(depth, _) => {
                 complete = complete.min(depth.max(if depth >= deepest { steps } else { 0 }))
             }
         }

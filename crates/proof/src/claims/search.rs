@@ -13,6 +13,7 @@
 //! every step keeps (Houdini) is known from the beginning.
 
 use std::collections::{BTreeSet, VecDeque};
+use std::{fmt, mem};
 
 use num_traits::Zero;
 
@@ -28,6 +29,10 @@ const LONGEST: u64 = 2_000;
 
 /// Links from what a goal speaks of to what is near it: 0, 1, and so on; then everything counts.
 const NEAR: usize = 3;
+
+/// Most half-spaces from all of which something is shown: a program with more, whose answer is mostly
+/// that it does not follow, is work without use, where the near ones did not show it.
+const MANY: usize = 300;
 
 /// Most variables of a half-space that makes them near each other.
 const FEW: usize = 4;
@@ -56,6 +61,24 @@ pub enum End {
     Digits,
     /// A claim that fails where constants differ from step to step; it may hold where they do not.
     Varying,
+    /// A claim that fails.
+    Failure,
+}
+
+impl fmt::Display for End {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Steps => "the invariant needs more steps than the search goes back",
+            Self::HalfSpaces => "the invariant needs more half-spaces than the search allows",
+            Self::Work => "the linear programs take more work than the search allows",
+            Self::Digits => "the invariant needs longer numbers than a certificate may have",
+            Self::Varying => {
+                "a claim fails where a constant takes another value in each step, which is how ranges \
+                 are proved"
+            }
+            Self::Failure => "a claim fails",
+        })
+    }
 }
 
 /// Values of some parameters, by their places.
@@ -121,6 +144,20 @@ pub enum Answer {
     Open(usize, End),
 }
 
+/// Puts a combination of others in the place of a premise.
+fn replace(multipliers: &mut Vec<(usize, Rational)>, row: usize, others: &[(usize, Rational)]) {
+    let Some(at) = multipliers.iter().position(|(j, _)| *j == row) else { return };
+    let (_, factor) = multipliers.swap_remove(at);
+    for (j, m) in others {
+        match multipliers.iter_mut().find(|(known, _)| known == j) {
+            Some((_, sum)) => *sum += &factor * m,
+            None => multipliers.push((*j, &factor * m)),
+        }
+    }
+    multipliers.retain(|(_, m)| !m.is_zero());
+    multipliers.sort_by_key(|(j, _)| *j);
+}
+
 /// The search under way.
 pub struct Search<'s> {
     system: &'s System,
@@ -143,7 +180,7 @@ impl<'s> Search<'s> {
         automaton: &'s Automaton,
         parameters: Vec<Parameter>,
         starts: Vec<Constraint>,
-        limits: Limits,
+        limits: &Limits,
     ) -> Self {
         Self {
             system,
@@ -154,18 +191,22 @@ impl<'s> Search<'s> {
             kept: Vec::new(),
             base: Vec::new(),
             work: Work::limited(limits.work),
-            limits,
+            limits: *limits,
         }
     }
 
     /// Searches. Where a constant has a range, it is taken to vary: what is proved holds all the same;
     /// what fails is reported as open.
-    pub fn run(mut self) -> Answer {
+    pub fn run(&mut self) -> Answer {
         let constant = |p: &Parameter| p.kind == ParameterKind::Constant && p.fixed().is_none();
         let may_refute = !self.parameters.iter().any(constant);
+        // Half of the work at most: without that set the search may still succeed.
+        let half = self.limits.work / 2;
+        self.work = Work::limited(half);
         if self.kept_from_the_beginning().is_none() {
-            return Answer::Open(0, End::Work);
+            self.rows.clear();
         }
+        self.work = Work::limited(self.limits.work - half + self.work.left());
         let mut queue: VecDeque<usize> = VecDeque::new();
         for moment in 0..self.automaton.names.len() {
             for &claim in &self.automaton.claims[moment] {
@@ -240,7 +281,46 @@ impl<'s> Search<'s> {
                 }
             }
         }
-        Answer::Proved(Proof { rows: self.rows, base: self.base, kept: self.kept })
+        self.minimise();
+        Answer::Proved(Proof {
+            rows: mem::take(&mut self.rows),
+            base: mem::take(&mut self.base),
+            kept: mem::take(&mut self.kept),
+        })
+    }
+
+    /// The work that is left.
+    pub fn left(&self) -> u64 {
+        self.work.left()
+    }
+
+    /// Leaves out rows that follow from others of their moment: what was shown with their help is shown
+    /// with the help of those. The longest way from a claim goes first: there numbers are longest.
+    fn minimise(&mut self) {
+        let mut gone = vec![false; self.rows.len()];
+        for j in (0..self.rows.len()).rev() {
+            let Some(row) = self.rows.get(j).filter(|r| r.claim.is_none()) else { continue };
+            if let Some(slot) = gone.get_mut(j) {
+                *slot = true;
+            }
+            let Some(others) = self.follows(&row.is, row.moment, Some(&gone)) else {
+                if let Some(slot) = gone.get_mut(j) {
+                    *slot = false;
+                }
+                continue;
+            };
+            for kept in &mut self.kept {
+                replace(&mut kept.multipliers, j, &others);
+            }
+        }
+        let mut base = vec![None; self.rows.len()];
+        for (j, multipliers) in mem::take(&mut self.base) {
+            if let Some(slot) = base.get_mut(j) {
+                *slot = Some(multipliers);
+            }
+        }
+        let kept = vec![mem::take(&mut self.kept)];
+        self.retain(&gone, base, kept);
     }
 
     /// The corners of the ranges of the parameters that play a part in a row's image.
@@ -313,16 +393,18 @@ impl<'s> Search<'s> {
             return Some(vec![(j, Rational::from_integer(1.into()))]);
         }
         let given: Vec<Constraint> = places.iter().map(|&j| self.rows[j].is.clone()).collect();
-        let found = self.near_first(&given, goal)?;
+        let found = self.near_first(&given, goal, given.len() <= MANY)?;
         Some(found.into_iter().filter_map(|(at, m)| Some((*places.get(at)?, m))).collect())
     }
 
     /// Multipliers of what is given, by place: first of what speaks of nothing else than the goal does,
-    /// a small program; then of what speaks of what is near that too, some links on; then of all.
+    /// a small program; then of what speaks of what is near that too, some links on; then, if `all` may
+    /// count, of all.
     fn near_first(
         &self,
         given: &[Constraint],
         goal: &Constraint,
+        all: bool,
     ) -> Option<Vec<(usize, Rational)>> {
         let speaks_of = |c: &Constraint| {
             let coefficients = c.form.parts().map_or(&[][..], |(_, c)| c);
@@ -334,7 +416,7 @@ impl<'s> Search<'s> {
         let mut tried = usize::MAX;
         for links in 0..=NEAR {
             let is_near = |j: &usize| {
-                links == NEAR || about.get(*j).is_some_and(|a| a.iter().all(|v| near.contains(v)))
+                (all && links == NEAR) || about.get(*j).is_some_and(|a| a.iter().all(|v| near.contains(v)))
             };
             let places: Vec<usize> = (0..given.len()).filter(is_near).collect();
             if places.len() != tried {
@@ -356,7 +438,7 @@ impl<'s> Search<'s> {
 
     /// Multipliers of the assumptions that show a row to hold of every start.
     fn holds_of_start(&self, row: usize) -> Option<Vec<(usize, Rational)>> {
-        self.near_first(&self.starts, &self.rows.get(row)?.is)
+        self.near_first(&self.starts, &self.rows.get(row)?.is, true)
     }
 
     /// What a row comes to that was not shown of every start.

@@ -55,8 +55,12 @@ impl ProtocolArgs {
         let file = read(path)?;
         let system = self.sized(&file, self.agents.unwrap_or(file.agents.fewest()))?;
         if claims::is_vacuous(&system) {
+            let assumptions = match file.has_start() {
+                true => "the assumptions",
+                false => "the claims, which are assumed where `start` is left out",
+            };
             return Err(Error::input(format!(
-                "{}: start: no start meets the assumptions: expected one that does",
+                "{}: start: no start meets {assumptions}: expected one that does",
                 path.display()
             )));
         }

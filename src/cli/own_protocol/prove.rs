@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::ProtocolArgs;
 use super::refute::{Search, refuted_claims};
-use super::show::{constants_text, head, headline};
+use super::show::{claimed_steps, constants_text, head, headline};
 use crate::cli::select::OutputFormat;
 use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::system::System;
@@ -292,7 +292,8 @@ fn claimed(found: &Proved) -> usize {
 
 fn proved(found: &Proved, file: Option<&str>, out: &mut dyn Write) -> Result<()> {
     let rows = found.proof.rows.len();
-    writeln!(out, "  proved: the claims hold at every step from every assumed start")?;
+    let steps = claimed_steps(&found.system);
+    writeln!(out, "  proved: the claims hold at {steps} from every assumed start")?;
     writeln!(
         out,
         "  {}: {rows} half-space{}, {} of them claimed; the start meets them, every step keeps them, at \

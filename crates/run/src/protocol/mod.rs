@@ -138,6 +138,11 @@ impl ProtocolFile {
         self.document.parameters(&source, &self.variables()?)
     }
 
+    /// Whether the file says what is assumed of the start; else the claims are.
+    pub fn has_start(&self) -> bool {
+        self.document.start.is_some()
+    }
+
     /// Whether the file leaves the number of agents open.
     pub fn is_family(&self) -> bool {
         matches!(self.agents, Agents::From(_))

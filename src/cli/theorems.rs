@@ -5,6 +5,7 @@ use std::io::Write;
 use cordon_spec::theorems::{Form, Theorem};
 use serde_json::json;
 
+use super::own_protocol;
 use super::select::OutputFormat;
 use cordon_core::theorems::{self, starts, weights, words};
 use cordon_core::{Outcome, Result};
@@ -13,15 +14,30 @@ use cordon_core::{Outcome, Result};
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// Which theorems: numbers like 7.2 or 7.4ii, separated by commas [default: all]
-    #[arg(value_name = "NUMBERS")]
+    #[arg(value_name = "NUMBERS", conflicts_with = "protocol")]
     pub numbers: Option<String>,
+    #[command(flatten)]
+    pub own: own_protocol::ProtocolArgs,
+    /// With --protocol: prove or refute each claim, and say what is known of it
+    #[arg(long, requires = "protocol", help_heading = "Own protocol")]
+    pub check: bool,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     pub format: OutputFormat,
 }
 
-/// Lists the theorems.
+/// Lists the theorems, or the claims of a protocol file.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    if let Some((file, system)) = args.own.system()? {
+        return own_protocol::theorems(
+            &args.own,
+            &file,
+            &system,
+            args.check,
+            args.format,
+            out,
+        );
+    }
     let theorems = theorems::named(args.numbers.as_deref().unwrap_or("all"))?;
     match args.format {
         OutputFormat::Text => theorems.iter().try_for_each(|&t| text(t, out))?,

@@ -79,10 +79,22 @@ type Named = (String, Value);
 
 /// Finds the critical weight.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    if let Some((_, system)) = args.own.system()? {
+    let own_system = args.own.system()?;
+    let unused = |flag: &str, needed: &str| {
+        Err(Error::input(format!("{flag}: expected {needed} with it")))
+    };
+    if let (Some(flag), true) =
+        (args.flight.given(), own_system.is_some() || args.property() != Property::Separation)
+    {
+        return unused(flag, "--property separation");
+    }
+    if let Some((_, system)) = own_system {
         return own(args, &system, out);
     }
     if args.property() == Property::Separation {
+        if args.drones.is_some() {
+            return unused("drones", "a property other than separation, which is the same for all numbers,");
+        }
         let folder = args.out.as_deref();
         return separation::run(&args.flight, args.digits, folder, args.format, out);
     }
@@ -189,7 +201,8 @@ fn certified(number: usize, drones: usize) -> String {
             invariance::MOST
         );
     }
-    format!("  checked: {number} certificates accepted by the independent checker")
+    let certificates = if number == 1 { "certificate" } else { "certificates" };
+    format!("  checked: {number} {certificates} accepted by the independent checker")
 }
 
 fn keep_text(args: &Args, found: &Critical, out: &mut dyn Write) -> Result<()> {

@@ -1,7 +1,8 @@
 //! Users' protocols, proved for every number of agents.
 use cordon_check::Verdict;
 use cordon_core::Rational;
-use cordon_proof::prove::any_size::{AnySize, Family, Topology, any_size};
+use cordon_proof::prove::any_size::{AnySize, any_size};
+use cordon_run::protocol::Family;
 
 fn range(from: &str, to: &str) -> [Option<Rational>; 2] {
     [from, to].map(|end| (!end.is_empty()).then(|| end.parse().unwrap()))
@@ -17,7 +18,7 @@ fn rules(all: &[(&str, &[(&str, &str)])]) -> Vec<(String, Vec<(String, String)>)
 }
 
 fn family(
-    topology: Topology,
+    is_ring: bool,
     eps: [&str; 2],
     of: &[(&str, &[(&str, &str)])],
     start: &[&str],
@@ -29,7 +30,7 @@ fn family(
         &["x"]
     };
     Family {
-        topology,
+        is_ring,
         state: texts(state),
         parameters: [
             ("eps".to_owned(), range(eps[0], eps[1])),
@@ -68,19 +69,19 @@ const BOTH: [&str; 4] = ["min <= x(i)", "x(i) <= max", "min <= v(i)", "v(i) <= m
 const ENDS: [&str; 2] = ["x(0) = min", "x(last) = max"];
 
 fn cases() -> Vec<(&'static str, Family, bool)> {
-    use Topology::{Line, Ring};
+    let (line, ring) = (false, true);
     let ordered = [&ENDS[..], &[ORDER]].concat();
     let half = ["0", "1/2"];
     vec![
-        ("coverage order", family(Line, half, &COVERAGE, &ordered, &[ORDER]), true),
-        ("coverage box", family(Line, half, &COVERAGE, &BOX, &BOX), true),
-        ("consensus order", family(Line, half, &CONSENSUS, &[ORDER], &[WEAK]), true),
-        ("consensus strict", family(Line, ["0", "1/3"], &CONSENSUS, &[ORDER], &[ORDER]), true),
-        ("consensus box", family(Line, half, &CONSENSUS, &BOX, &BOX), true),
+        ("coverage order", family(line, half, &COVERAGE, &ordered, &[ORDER]), true),
+        ("coverage box", family(line, half, &COVERAGE, &BOX, &BOX), true),
+        ("consensus order", family(line, half, &CONSENSUS, &[ORDER], &[WEAK]), true),
+        ("consensus strict", family(line, ["0", "1/3"], &CONSENSUS, &[ORDER], &[ORDER]), true),
+        ("consensus box", family(line, half, &CONSENSUS, &BOX, &BOX), true),
         (
             "chain",
             family(
-                Line,
+                line,
                 ["0", "1"],
                 &CHAIN,
                 &["x(i+1) <= x(i)", "x(i) <= x(0)"],
@@ -88,18 +89,18 @@ fn cases() -> Vec<(&'static str, Family, bool)> {
             ),
             true,
         ),
-        ("chain box", family(Line, ["0", "1"], &CHAIN, &BOX, &BOX), true),
-        ("ring box", family(Ring, ["0", "1"], &PULLED, &BOX, &BOX), true),
-        ("ring of two variables", family(Ring, ["0", "1"], &FOLLOWING, &BOTH, &BOTH), true),
-        ("ring of two, half claimed", family(Ring, ["0", "1"], &FOLLOWING, &BOTH, &BOX), true),
-        ("ring of two beyond 1", family(Ring, ["0", "2"], &FOLLOWING, &BOTH, &BOTH), false),
-        ("coverage beyond 1/2", family(Line, ["0", "3/5"], &COVERAGE, &BOX, &BOX), false),
-        ("coverage order beyond", family(Line, ["0", "3/5"], &COVERAGE, &ordered, &[ORDER]), false),
-        ("consensus beyond", family(Line, ["0", "3/5"], &CONSENSUS, &[WEAK], &[WEAK]), false),
-        ("ring beyond 1", family(Ring, ["0", "11/10"], &PULLED, &BOX, &BOX), false),
-        ("ring below 0", family(Ring, ["-1/10", "1"], &PULLED, &BOX, &BOX), false),
-        ("chain, order turned", family(Line, ["0", "1"], &CHAIN, &[], &[WEAK]), false),
-        ("coverage of any start", family(Line, half, &COVERAGE, &[], &BOX), false),
+        ("chain box", family(line, ["0", "1"], &CHAIN, &BOX, &BOX), true),
+        ("ring box", family(ring, ["0", "1"], &PULLED, &BOX, &BOX), true),
+        ("ring of two variables", family(ring, ["0", "1"], &FOLLOWING, &BOTH, &BOTH), true),
+        ("ring of two, half claimed", family(ring, ["0", "1"], &FOLLOWING, &BOTH, &BOX), true),
+        ("ring of two beyond 1", family(ring, ["0", "2"], &FOLLOWING, &BOTH, &BOTH), false),
+        ("coverage beyond 1/2", family(line, ["0", "3/5"], &COVERAGE, &BOX, &BOX), false),
+        ("coverage order beyond", family(line, ["0", "3/5"], &COVERAGE, &ordered, &[ORDER]), false),
+        ("consensus beyond", family(line, ["0", "3/5"], &CONSENSUS, &[WEAK], &[WEAK]), false),
+        ("ring beyond 1", family(ring, ["0", "11/10"], &PULLED, &BOX, &BOX), false),
+        ("ring below 0", family(ring, ["-1/10", "1"], &PULLED, &BOX, &BOX), false),
+        ("chain, order turned", family(line, ["0", "1"], &CHAIN, &[], &[WEAK]), false),
+        ("coverage of any start", family(line, half, &COVERAGE, &[], &BOX), false),
     ]
 }
 
@@ -140,7 +141,7 @@ fn committed_certificates_are_found_again() {
 
 #[test]
 fn what_the_strategy_does_not_read_is_named() {
-    let with = |claim: &str| family(Topology::Line, ["0", "1"], &CHAIN, &[], &[claim]);
+    let with = |claim: &str| family(false, ["0", "1"], &CHAIN, &[], &[claim]);
     let wrong = [
         ("x(i)", "expected `<`, `<=`, `=`, `>=` or `>`"),
         ("x(i) < y(i)", "expected sums and products of numbers, parameters and agents"),

@@ -4,6 +4,8 @@ mod prove;
 mod refute;
 mod settle;
 mod show;
+mod sweep;
+mod theorems;
 mod threshold;
 
 use std::path::{Path, PathBuf};
@@ -11,6 +13,8 @@ use std::path::{Path, PathBuf};
 pub use prove::prove;
 pub use refute::{Search, refute};
 pub use settle::settle;
+pub use sweep::{Extent, sweep};
+pub use theorems::theorems;
 pub use threshold::threshold;
 
 use super::table::abridged;
@@ -19,7 +23,7 @@ use cordon_core::system::{Parameter, ParameterKind, System};
 use cordon_core::text::shell_word;
 use cordon_core::{Error, Rational, Result, range};
 use cordon_proof::claims;
-use cordon_run::protocol::{Classes, ProtocolFile, read};
+use cordon_run::protocol::{Family, ProtocolFile, read};
 
 /// A protocol file, and what of it is fixed.
 #[derive(clap::Args, Clone, Debug, Default)]
@@ -51,8 +55,12 @@ impl ProtocolArgs {
         let file = read(path)?;
         let system = self.sized(&file, self.agents.unwrap_or(file.agents.fewest()))?;
         if claims::is_vacuous(&system) {
+            let assumptions = match file.has_start() {
+                true => "the assumptions",
+                false => "the claims, which are assumed where `start` is left out",
+            };
             return Err(Error::input(format!(
-                "{}: start: no start meets the assumptions: expected one that does",
+                "{}: start: no start meets {assumptions}: expected one that does",
                 path.display()
             )));
         }
@@ -100,22 +108,18 @@ impl ProtocolArgs {
         Ok(())
     }
 
-    /// The classes of a protocol for every number of agents, where no number is named; or why there are
+    /// The family of a protocol for every number of agents, where no number is named; or why there is
     /// none.
     ///
     /// # Errors
     /// The file is wrong, or a parameter is not there.
-    fn classes(&self, file: &ProtocolFile) -> Result<Option<std::result::Result<Classes, String>>> {
+    fn family(&self, file: &ProtocolFile) -> Result<Option<std::result::Result<Family, String>>> {
         if self.agents.is_some() || !file.is_family() {
             return Ok(None);
         }
-        Ok(Some(match file.classes()? {
-            Ok(mut classes) => {
-                self.narrow(&mut classes.parameters)?;
-                Ok(classes)
-            }
-            Err(reason) => Err(reason),
-        }))
+        let mut parameters = file.parameters()?;
+        self.narrow(&mut parameters)?;
+        file.family(&parameters).map(Some)
     }
 
     fn path(&self) -> &Path {

@@ -7,18 +7,18 @@ use serde_json::{Value, json};
 
 use super::ProtocolArgs;
 use super::refute::{Search, refuted_claims};
-use super::show::{constants_text, head, headline};
+use super::show::{claimed_steps, constants_text, head, headline};
 use crate::cli::select::OutputFormat;
 use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::system::System;
 use cordon_core::{Error, Evidence, Outcome, Result};
 use cordon_proof::certificate;
-use cordon_proof::claims::any_size::any_size;
 use cordon_proof::claims::certificate::certificate as sealed;
 use cordon_proof::claims::converge::{self, Contraction, Growth};
 use cordon_proof::claims::{self, Proved};
 use cordon_proof::counterexample::list;
-use cordon_run::protocol::{Classes, ProtocolFile};
+use cordon_proof::prove::any_size::{AnySize, any_size};
+use cordon_run::protocol::{Family, ProtocolFile};
 
 /// Proves what a protocol file claims, or refutes it, or says that it can do neither: first the claims
 /// about every step, then convergence.
@@ -36,9 +36,9 @@ pub fn prove(
     let mut page = head(system);
     let mut outcome = Outcome::Holds;
     let text = format == OutputFormat::Text;
-    let for_every = match args.classes(file)? {
+    let for_every = match args.family(file)? {
         None => None,
-        Some(classes) => Some(every_number(args, classes, folder)?),
+        Some(family) => Some(every_number(args, family, folder)?),
     };
     if let Some(found) = &for_every {
         if text {
@@ -74,13 +74,13 @@ pub fn prove(
     let is_left = !is_proved || system.agents < 3 || system.converges.is_some();
     if text && is_left {
         writeln!(out, "{}", headline(system))?;
+        out.flush()?;
     }
     if !system.claims.is_empty() && (!is_proved || system.agents < 3) {
-        match claims::prove(system) {
-            Some(found) => {
-                let certificate = sealed(&found.system, &found.proof)
-                    .ok_or_else(|| Error::internal("a proof without a certificate"))?;
-                certificate::judged(&certificate)?;
+        let found = claims::prove_within(system, &claims::PROOF);
+        let certificate = found.as_ref().ok().map(certified).transpose()?;
+        match (found, certificate) {
+            (Ok(found), Some(Ok(certificate))) => {
                 let file = written(args, folder, "", &certificate)?;
                 if text {
                     proved(&found, file.as_deref(), out)?;
@@ -96,10 +96,22 @@ pub fn prove(
                     }),
                 );
             }
-            None => {
-                let (ended, found) = refuted_claims(args, system, &Search::default(), text, out)?;
+            (found, certificate) => {
+                let (ended, mut searched) =
+                    refuted_claims(args, system, &Search::default(), text, out)?;
+                if ended == Outcome::Inconclusive {
+                    let beyond = certificate.and_then(std::result::Result::err);
+                    let reason = beyond.or_else(|| found.err().map(|end| end.to_string()));
+                    let reason = reason.unwrap_or_default();
+                    if text {
+                        writeln!(out, "  not proved: {reason}")?;
+                    }
+                    if let Some(fields) = searched.as_object_mut() {
+                        fields.insert("reason".to_owned(), json!(reason));
+                    }
+                }
                 outcome = outcome.worst(ended);
-                page.insert("claims", found);
+                page.insert("claims", searched);
             }
         }
     }
@@ -135,8 +147,8 @@ fn refuted_above(
 }
 
 /// What is known for every number of agents.
-struct EveryNumber {
-    proved: bool,
+pub(super) struct EveryNumber {
+    pub proved: bool,
     /// Why not.
     reason: Option<String>,
     /// Clauses of the invariant.
@@ -144,20 +156,37 @@ struct EveryNumber {
     file: Option<String>,
 }
 
-fn every_number(
+/// A proof for every number of agents, or why there is none.
+pub(super) fn every_number(
     args: &ProtocolArgs,
-    classes: std::result::Result<Classes, String>,
+    family: std::result::Result<Family, String>,
     folder: Option<&Path>,
 ) -> Result<EveryNumber> {
-    match classes.and_then(|classes| any_size(&classes)) {
-        Ok((certificate, clauses)) => {
-            certificate::judged(&certificate)?;
+    let open = |reason: String| {
+        Ok(EveryNumber { proved: false, reason: Some(reason), clauses: None, file: None })
+    };
+    match family.and_then(|family| any_size(&family).map_err(|e| e.to_string())) {
+        Ok(Some(AnySize { certificate, invariant })) => {
+            if let Some(reason) = beyond_the_checker(&certificate)? {
+                return open(reason);
+            }
             let file = written(args, folder, "-every-n", &certificate)?;
-            Ok(EveryNumber { proved: true, reason: None, clauses: Some(clauses), file })
+            Ok(EveryNumber { proved: true, reason: None, clauses: Some(invariant), file })
         }
-        Err(reason) => {
-            Ok(EveryNumber { proved: false, reason: Some(reason), clauses: None, file: None })
-        }
+        Ok(None) => open("no induction over the steps was found".to_owned()),
+        Err(reason) => open(reason),
+    }
+}
+
+/// Why the checker cannot judge a certificate, where it cannot: it is too large.
+///
+/// # Errors
+/// The checker rejects it.
+fn beyond_the_checker(certificate: &Value) -> Result<Option<String>> {
+    match certificate::judged(certificate) {
+        Ok(_) => Ok(None),
+        Err(Error::Input(reason)) => Ok(Some(reason)),
+        Err(e) => Err(e),
     }
 }
 
@@ -247,13 +276,24 @@ fn written(
     Ok(Some(path.display().to_string()))
 }
 
+/// The certificate of a proof, accepted by the checker; or why that cannot judge it.
+///
+/// # Errors
+/// The checker rejects it.
+pub(super) fn certified(found: &Proved) -> Result<std::result::Result<Value, String>> {
+    let certificate = sealed(&found.system, &found.proof)
+        .ok_or_else(|| Error::internal("a proof without a certificate"))?;
+    Ok(beyond_the_checker(&certificate)?.map_or(Ok(certificate), Err))
+}
+
 fn claimed(found: &Proved) -> usize {
     found.proof.rows.iter().filter(|r| r.claim.is_some()).count()
 }
 
 fn proved(found: &Proved, file: Option<&str>, out: &mut dyn Write) -> Result<()> {
     let rows = found.proof.rows.len();
-    writeln!(out, "  proved: the claims hold at every step from every assumed start")?;
+    let steps = claimed_steps(&found.system);
+    writeln!(out, "  proved: the claims hold at {steps} from every assumed start")?;
     writeln!(
         out,
         "  {}: {rows} half-space{}, {} of them claimed; the start meets them, every step keeps them, at \

@@ -51,6 +51,7 @@ pub fn refute(
     let text = format == OutputFormat::Text;
     if text {
         writeln!(out, "{}", headline(system))?;
+        out.flush()?;
     }
     let (outcome, found) = refuted_claims(args, system, search, text, out)?;
     if !text {
@@ -59,6 +60,19 @@ pub fn refute(
         writeln!(out, "{:#}", json!(page))?;
     }
     Ok(outcome)
+}
+
+/// The values of the constants that are tried.
+///
+/// # Errors
+/// There are too many.
+pub fn constants_of(system: &System, denominators: u32) -> Result<Vec<Vec<Rational>>> {
+    claims::constants(system, denominators).ok_or_else(|| {
+        Error::input(format!(
+            "set: more than {MOST_COMBINATIONS} combinations of constants: expected values for some, or \
+             smaller denominators"
+        ))
+    })
 }
 
 /// The search, said in text where that is wanted, and as JSON.
@@ -72,12 +86,7 @@ pub fn refuted_claims(
     text: bool,
     out: &mut dyn Write,
 ) -> Result<(Outcome, Value)> {
-    let constants = claims::constants(system, search.denominators).ok_or_else(|| {
-        Error::input(format!(
-            "set: more than {MOST_COMBINATIONS} combinations of constants: expected values for some, or \
-             smaller denominators"
-        ))
-    })?;
+    let constants = constants_of(system, search.denominators)?;
     let start = search.start.as_deref().map(|x| assumed(system, x)).transpose()?;
     let (found, complete) = claims::refute(system, &constants, start.as_deref(), search.steps);
     if text {
@@ -198,7 +207,8 @@ fn claim_text<'p>(system: &'p System, run: &Run) -> &'p str {
     system.claims.get(run.claim).map_or("", |c| c.predicate.text.as_str())
 }
 
-fn replay_line(args: &ProtocolArgs, system: &System, run: &Run) -> String {
+/// The command that runs a counterexample again.
+pub fn replay_line(args: &ProtocolArgs, system: &System, run: &Run) -> String {
     let now = system.state.len() - system.past.len();
     let start = run.states.first().and_then(|x| x.get(..now)).map_or_else(String::new, list);
     let constant = |(p, _): &(&Parameter, &Rational)| p.kind == ParameterKind::Constant;
@@ -207,7 +217,8 @@ fn replay_line(args: &ProtocolArgs, system: &System, run: &Run) -> String {
     format!("cordon refute {}{sets} --steps {} --start={start}", args.flags(system), run.step)
 }
 
-fn as_json(args: &ProtocolArgs, system: &System, run: &Run) -> Value {
+/// A run for programs.
+pub fn as_json(args: &ProtocolArgs, system: &System, run: &Run) -> Value {
     let states: Vec<Vec<String>> =
         run.states.iter().map(|x| x.iter().map(fraction).collect()).collect();
     let named = |(p, v): (&Parameter, &Rational)| (p.name.clone(), json!(fraction(v)));

@@ -8,6 +8,8 @@ use cordon_core::Rational;
 use cordon_core::exact::fraction;
 use cordon_core::system::{Parameter, ParameterKind, Schedule, System};
 
+use super::abridged_words;
+
 /// The schema of these commands' JSON.
 pub const SCHEMA: &str = "cordon-own-protocol/2";
 
@@ -54,10 +56,21 @@ pub fn headline(system: &System) -> String {
         (_, 1) => {}
         (Schedule::Any, n) => parts.push(format!("any of {n} modes in each step")),
         (Schedule::Cycle(list), _) => {
-            parts.push(format!("{} modes in turn", list.len()));
+            let names = list.iter().filter_map(|&m| system.modes.get(m)).map(|m| m.name.as_str());
+            let names: Vec<&str> = names.collect();
+            match names.as_slice() {
+                [only] => parts.push(format!("mode {only} in every step")),
+                _ => parts.push(format!("modes in turn: {}", abridged_words(&names))),
+            }
         }
     }
     parts.join(", ")
+}
+
+/// `every step`, or less where claims are about certain steps only.
+pub fn claimed_steps(system: &System) -> &'static str {
+    let always = system.claims.iter().all(|c| c.from == 0 && c.until.is_none());
+    if always { "every step" } else { "every step that they are about" }
 }
 
 /// ` at eps = 1/3, gain = 2`: the constants, where there are some.

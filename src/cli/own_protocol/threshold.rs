@@ -38,6 +38,15 @@ pub fn threshold(
     let wanted = match (name, names.as_slice()) {
         (Some(name), _) => name,
         (None, [only]) => only,
+        (None, []) => {
+            let varies = |p: &&Parameter| p.kind == ParameterKind::Varying;
+            let varying = system.parameters.iter().find(varies).map_or_else(String::new, |p| {
+                format!(" (`{}` varies from step to step)", p.name)
+            });
+            return Err(Error::input(format!(
+                "parameter: no constant has a range{varying}: expected one in the file, or `--set NAME=LO..HI`"
+            )));
+        }
         (None, _) => {
             return Err(Error::input(format!(
                 "parameter: {} parameters have ranges: expected --parameter with one of them",
@@ -51,10 +60,13 @@ pub fn threshold(
             if names.is_empty() { "there is none".to_owned() } else { names.join(", ") }
         )));
     };
+    if format == OutputFormat::Text {
+        writeln!(out, "{}", headline(system))?;
+        out.flush()?;
+    }
     let (found, ends) = critical(system, place, property, digits)?;
     match format {
         OutputFormat::Text => {
-            writeln!(out, "{}", headline(system))?;
             match &found {
                 Some(bracket) => bracketed(wanted, property, bracket, digits, out)?,
                 None => {

@@ -19,18 +19,18 @@ use num_traits::Signed;
 /// The flags of a gain's threshold.
 #[derive(clap::Args, Debug)]
 pub struct LoopArgs {
-    /// Gain lambda_A in 1/s, up to 1000
-    #[arg(long, value_name = "GAIN", default_value = "4", help_heading = "Separation")]
-    lambda_a: String,
-    /// Communication step in seconds
-    #[arg(long, value_name = "SECONDS", default_value = "1/20", help_heading = "Separation")]
-    tau: String,
-    /// Plant integrator: euler or exact
-    #[arg(long, value_name = "NAME", default_value = "euler", help_heading = "Separation")]
-    integrator: String,
-    /// Master: jacobi or gauss-seidel
-    #[arg(long, value_name = "NAME", default_value = "jacobi", help_heading = "Separation")]
-    master: String,
+    /// Gain lambda_A in 1/s, up to 1000 [default: 4]
+    #[arg(long, value_name = "GAIN", help_heading = "Separation")]
+    lambda_a: Option<String>,
+    /// Communication step in seconds [default: 1/20]
+    #[arg(long, value_name = "SECONDS", help_heading = "Separation")]
+    tau: Option<String>,
+    /// Plant integrator: euler or exact [default: euler]
+    #[arg(long, value_name = "NAME", help_heading = "Separation")]
+    integrator: Option<String>,
+    /// Master: jacobi or gauss-seidel [default: jacobi]
+    #[arg(long, value_name = "NAME", help_heading = "Separation")]
+    master: Option<String>,
 }
 
 /// Decimal places of the bracket without `--digits`, and the most.
@@ -41,15 +41,30 @@ const MOST_DIGITS: usize = 4;
 const VALUE_PLACES: usize = 15;
 
 impl LoopArgs {
+    /// The first flag that is given.
+    pub(in crate::cli) fn given(&self) -> Option<&'static str> {
+        let flags = [
+            ("lambda-a", &self.lambda_a),
+            ("tau", &self.tau),
+            ("integrator", &self.integrator),
+            ("master", &self.master),
+        ];
+        flags.into_iter().find(|(_, value)| value.is_some()).map(|(name, _)| name)
+    }
+
     fn tuning(&self) -> Result<Tuning> {
-        let positive = |what: &str, text: &str| {
-            let x = parse(what, text)?;
+        let or = |given: &Option<String>, usual: &str| {
+            given.clone().unwrap_or_else(|| usual.to_owned())
+        };
+        let (integrator, master) = (or(&self.integrator, "euler"), or(&self.master, "jacobi"));
+        let positive = |what: &str, text: String| {
+            let x = parse(what, &text)?;
             match x.is_positive() {
                 true => Ok(x),
                 false => Err(Error::input(format!("{what}: `{x}`: expected a positive number"))),
             }
         };
-        let lambda_a = positive("lambda-a", &self.lambda_a)?;
+        let lambda_a = positive("lambda-a", or(&self.lambda_a, "4"))?;
         if lambda_a > Rational::from_integer(1000.into()) {
             return Err(Error::input(format!("lambda-a: `{lambda_a}`: expected at most 1000")));
         }
@@ -59,11 +74,11 @@ impl LoopArgs {
         Ok(Tuning {
             lambda_p: lambda_a.clone(),
             lambda_a,
-            tau: positive("tau", &self.tau)?,
-            integrator: Integrator::named(&self.integrator)
-                .ok_or_else(|| unknown("integrator", &self.integrator, "`euler` or `exact`"))?,
-            algorithm: Algorithm::named(&self.master)
-                .ok_or_else(|| unknown("master", &self.master, "`jacobi` or `gauss-seidel`"))?,
+            tau: positive("tau", or(&self.tau, "1/20"))?,
+            integrator: Integrator::named(&integrator)
+                .ok_or_else(|| unknown("integrator", &integrator, "`euler` or `exact`"))?,
+            algorithm: Algorithm::named(&master)
+                .ok_or_else(|| unknown("master", &master, "`jacobi` or `gauss-seidel`"))?,
         })
     }
 }
@@ -143,7 +158,8 @@ fn text(
         None => writeln!(out, "  above  no gain was found at which a sample is negative")?,
     }
     let number = [found.below.is_some(), found.above.is_some()].iter().filter(|x| **x).count();
-    writeln!(out, "  checked: {number} certificates accepted by the independent checker")?;
+    let certificates = if number == 1 { "certificate" } else { "certificates" };
+    writeln!(out, "  checked: {number} {certificates} accepted by the independent checker")?;
     for file in files {
         writeln!(out, "  wrote  {file}")?;
     }

@@ -7,6 +7,7 @@ mod watch;
 use std::io::Write;
 use std::path::PathBuf;
 
+use super::own_protocol;
 use super::select::OutputFormat;
 use cordon_core::{Error, Outcome, Result, files, theorems};
 use cordon_proof::sweep::run::{Progress, run as run_items, work};
@@ -37,6 +38,8 @@ Examples:
   cordon sweep --form paper                       as printed: where do they fail?
   cordon sweep 7.2,7.3 --complete --drones 3..12  from all real starts
   cordon sweep 7.8 --shard 1/4 --out part-1.jsonl one part of four, which goes on after a crash
+  cordon sweep --protocol FILE --grid 4           the claims of a protocol of your own (--complete: from
+                                                  all real starts)
   cordon sweep merge part-*.jsonl --audit 5       the parts together, five items computed anew
 
 Limits: 3 to 64 drones, 100,000 steps, 1,000,000 weights, 1,000,000 work items, 1,024 threads.
@@ -71,7 +74,13 @@ struct MergeArgs {
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     match &args.command {
         Some(Command::Merge(m)) => merged(m, out),
-        None => swept(&args.options, out),
+        None => match args.options.own.system()? {
+            Some((_, system)) => {
+                let (options, own) = (&args.options, &args.options.own);
+                own_protocol::sweep(own, &system, options.extent()?, options.format, out)
+            }
+            None => swept(&args.options, out),
+        },
     }
 }
 

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use cordon_spec::theorems::Form;
 
+use crate::cli::own_protocol::{Extent, ProtocolArgs};
 use crate::cli::select::OutputFormat;
 use cordon_core::theorems;
 use cordon_core::{Error, Result, range};
@@ -18,25 +19,27 @@ use cordon_proof::sweep::{Config, StartSpace, WeightSet};
 #[derive(clap::Args, Debug)]
 pub(super) struct Options {
     /// Which theorems: numbers like 7.2 or 7.4ii, separated by commas [default: all]
-    #[arg(value_name = "THEOREMS")]
+    #[arg(value_name = "THEOREMS", conflicts_with = "protocol")]
     theorems: Option<String>,
+    #[command(flatten)]
+    pub(super) own: ProtocolArgs,
     /// Which form of the theorems
-    #[arg(long, value_enum, default_value_t = Forms::Sharp)]
+    #[arg(long, value_enum, default_value_t = Forms::Sharp, conflicts_with = "protocol")]
     form: Forms,
     /// Numbers of drones, both ends included, from 3 to 64
-    #[arg(long, value_name = "LO..HI", default_value = "3..5")]
+    #[arg(long, value_name = "LO..HI", default_value = "3..5", conflicts_with = "protocol")]
     drones: String,
     /// Sweep all weights eps = p/q of the range with q up to this
     #[arg(long, value_name = "Q", default_value_t = 6)]
     max_denominator: u32,
     /// Range of the weights, both ends included
-    #[arg(long, value_name = "LO..HI", default_value = "0..1", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LO..HI", default_value = "0..1", allow_hyphen_values = true, conflicts_with = "protocol")]
     eps_range: String,
     /// These weights instead, separated by commas: fractions or decimals
-    #[arg(long, value_name = "LIST", conflicts_with_all = ["max_denominator", "eps_range"], allow_hyphen_values = true)]
+    #[arg(long, value_name = "LIST", conflicts_with_all = ["max_denominator", "eps_range", "protocol"], allow_hyphen_values = true)]
     eps: Option<String>,
     /// Keep no theorem to its own range of weights: shows why the range is needed
-    #[arg(long)]
+    #[arg(long, conflicts_with = "protocol")]
     any_weight: bool,
     /// Least number of grid units across the region where internal drones start
     #[arg(long, value_name = "G", default_value_t = 8)]
@@ -48,19 +51,19 @@ pub(super) struct Options {
     #[arg(long, conflicts_with_all = ["grid", "sample"])]
     complete: bool,
     /// Draw this many random starts a work item instead of trying the whole grid
-    #[arg(long, value_name = "M")]
+    #[arg(long, value_name = "M", conflicts_with = "protocol")]
     sample: Option<u64>,
     /// Seed of the draws [default: a new one]
     #[arg(long, value_name = "S")]
     seed: Option<u64>,
     /// Threads, 1 to 1024 [default: one for each core]
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", conflicts_with = "protocol")]
     threads: Option<usize>,
     /// Run part I of N: the parts have all work items, each once
-    #[arg(long, value_name = "I/N")]
+    #[arg(long, value_name = "I/N", conflicts_with = "protocol")]
     shard: Option<String>,
     /// Result file, one JSON line for each work item; finished items are taken over from it
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with = "protocol")]
     pub(super) out: Option<PathBuf>,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
@@ -84,6 +87,9 @@ pub(super) fn fresh_seed() -> u64 {
 
 /// Most threads: more than any machine has, few enough to start.
 const MAX_THREADS: usize = 1024;
+
+/// Most steps of a sweep of a protocol of one's own.
+const MOST_OWN_STEPS: usize = 1_000;
 
 impl Options {
     pub(super) fn config(&self) -> Result<Config> {
@@ -118,6 +124,21 @@ impl Options {
 
     pub(super) fn shard(&self) -> Result<Shard> {
         self.shard.as_deref().map_or(Ok(Shard::WHOLE), Shard::parse)
+    }
+
+    /// What is tried of a protocol of one's own.
+    pub(super) fn extent(&self) -> Result<Extent> {
+        if self.grid == 0 {
+            return Err(Error::input("grid: `0`: expected at least 1"));
+        }
+        if self.steps > MOST_OWN_STEPS {
+            return Err(Error::input(format!(
+                "steps: `{}`: expected at most {MOST_OWN_STEPS} with --protocol",
+                self.steps
+            )));
+        }
+        let grid = (!self.complete).then_some(self.grid);
+        Ok(Extent { grid, denominators: self.max_denominator, steps: self.steps })
     }
 
     /// Number of threads; 0 means one for each core.

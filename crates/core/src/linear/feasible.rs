@@ -5,7 +5,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::affine::Affine;
 use crate::Rational;
-use crate::simplex::{Solution, Term, maximise_sparse};
+use crate::simplex::{Solution, Term, Work, maximise_within};
 
 /// What is demanded of a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +41,15 @@ pub struct Constraint {
 /// A point in `variables` dimensions that meets all constraints. `None` where there is none,
 /// or a form is not affine.
 pub fn point(variables: usize, constraints: &[Constraint]) -> Option<Vec<Rational>> {
+    point_within(variables, constraints, &Work::limited(u64::MAX))
+}
+
+/// As [`point`]; `None` too where that is more than the work that may be done.
+pub fn point_within(
+    variables: usize,
+    constraints: &[Constraint],
+    work: &Work,
+) -> Option<Vec<Rational>> {
     // Columns: positive and negative part of every variable, the margin of the strict ones,
     // the slack of the margin's bound 1, the slacks of the inequalities.
     let (margin, slacks) = (2 * variables, 2 * variables + 2);
@@ -67,7 +76,8 @@ pub fn point(variables: usize, constraints: &[Constraint]) -> Option<Vec<Rationa
     constants.push(one.clone());
     let equations: Vec<_> = rows.iter().map(Vec::as_slice).zip(&constants).collect();
     let width = slacks + constraints.len();
-    let Solution::Optimal(x) = maximise_sparse(width, &[(margin, one)], &equations) else {
+    let Some(Solution::Optimal(x)) = maximise_within(width, &[(margin, one)], &equations, work)
+    else {
         return None;
     };
     let found: Vec<Rational> = (0..variables).map(|j| &x[j] - &x[variables + j]).collect();
@@ -114,6 +124,12 @@ impl<'g> Premises<'g> {
     /// constraint. `None` where there are none; if the premises can be met at all, the goal then
     /// fails somewhere.
     pub fn multipliers(&self, goal: &Constraint) -> Option<Vec<Rational>> {
+        self.multipliers_within(goal, &Work::limited(u64::MAX))
+    }
+
+    /// As [`multipliers`](Self::multipliers); `None` too where that is more than the work that may be
+    /// done.
+    pub fn multipliers_within(&self, goal: &Constraint, work: &Work) -> Option<Vec<Rational>> {
         let (goal_constant, coefficients) = goal.form.parts()?;
         let (last, rows) = self.rows.split_last()?;
         if coefficients.len() > rows.len() {
@@ -134,12 +150,12 @@ impl<'g> Premises<'g> {
             total.extend([(reached, -one.clone()), (excess, -one.clone())]);
             let cap = [(reached, one.clone()), (slack, one.clone())];
             equations.extend([(total.as_slice(), &zero), (&cap, &one)]);
-            match maximise_sparse(rest + 4, &[(reached, one.clone())], &equations) {
+            match maximise_within(rest + 4, &[(reached, one.clone())], &equations, work)? {
                 Solution::Optimal(x) if x[reached].is_positive() => x,
                 _ => return None,
             }
         } else {
-            match maximise_sparse(rest + 1, &[], &equations) {
+            match maximise_within(rest + 1, &[], &equations, work)? {
                 Solution::Optimal(x) => x,
                 _ => return None,
             }

@@ -29,6 +29,14 @@ impl Int {
         !self.is_zero() && !self.is_positive()
     }
 
+    /// How many words of 64 bits it takes.
+    pub fn words(&self) -> u64 {
+        match self {
+            Self::Small(_) => 1,
+            Self::Big(x) => x.bits().div_ceil(64),
+        }
+    }
+
     /// The number as a big integer.
     pub fn to_big(&self) -> BigInt {
         match self {

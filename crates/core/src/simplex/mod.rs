@@ -7,6 +7,7 @@
 mod int;
 mod row;
 
+use std::cell::Cell;
 use std::cmp::Ordering;
 
 use num_traits::Zero;
@@ -24,6 +25,30 @@ pub enum Solution {
     Infeasible,
     /// The objective has no upper bound.
     Unbounded,
+}
+
+/// How much work may still be done, the same on every machine. The unit is an entry of a tableau
+/// that a pivot writes anew; an entry with a number of more than 64 bits counts once a word.
+#[derive(Debug)]
+pub struct Work(Cell<u64>);
+
+impl Work {
+    /// So many units.
+    pub fn limited(units: u64) -> Self {
+        Self(Cell::new(units))
+    }
+
+    /// The units that are left.
+    pub fn left(&self) -> u64 {
+        self.0.get()
+    }
+
+    /// Whether there was as much as that; all is gone where there was not.
+    fn spend(&self, units: u64) -> bool {
+        let left = self.left().checked_sub(units);
+        self.0.set(left.unwrap_or(0));
+        left.is_some()
+    }
 }
 
 /// A coefficient and the variable that it belongs to.
@@ -44,7 +69,7 @@ pub fn maximise(
         Row::integral(equation.iter().take(count).enumerate().chain([(count, constant)]))
     };
     let rows = equations.iter().zip(constants).map(row).collect();
-    solved(count, Row::integral(objective.iter().enumerate()), rows)
+    unlimited(|work| solved(count, Row::integral(objective.iter().enumerate()), rows, work))
 }
 
 /// As [`maximise`], for `count` variables and equations that name few of them: each with its
@@ -54,10 +79,26 @@ pub fn maximise_sparse(
     objective: &[Term],
     equations: &[(&[Term], &Rational)],
 ) -> Solution {
+    unlimited(|work| maximise_within(count, objective, equations, work))
+}
+
+/// The answer where the work does not matter: centuries of it.
+fn unlimited(solve: impl FnOnce(&Work) -> Option<Solution>) -> Solution {
+    solve(&Work::limited(u64::MAX)).unwrap_or(Solution::Infeasible)
+}
+
+/// As [`maximise_sparse`]; `None` where that is more than the work that may be done.
+pub fn maximise_within(
+    count: usize,
+    objective: &[Term],
+    equations: &[(&[Term], &Rational)],
+    work: &Work,
+) -> Option<Solution> {
     let row = |&(terms, constant): &(&[Term], &Rational)| {
         Row::integral(entries(terms).chain([(count, constant)]))
     };
-    solved(count, Row::integral(entries(objective)), equations.iter().map(row).collect())
+    let rows = equations.iter().map(row).collect();
+    solved(count, Row::integral(entries(objective)), rows, work)
 }
 
 fn entries(terms: &[Term]) -> impl Iterator<Item = (usize, &Rational)> {
@@ -77,16 +118,17 @@ pub fn feasible(
 }
 
 /// The program with this objective and these equations, the constants in column `count`.
-fn solved(count: usize, objective: Row, rows: Vec<Row>) -> Solution {
+fn solved(count: usize, objective: Row, rows: Vec<Row>, work: &Work) -> Option<Solution> {
     let mut tableau = Tableau::new(count, rows);
     let cost = tableau.phase_one_cost();
     // The sum of the artificial variables is bounded below by 0.
-    let _ = tableau.descend(cost);
-    if !tableau.drop_artificial() {
-        return Solution::Infeasible;
+    tableau.descend(cost, work)?;
+    if !tableau.drop_artificial(work)? {
+        return Some(Solution::Infeasible);
     }
     let cost = tableau.reduced(objective);
-    if tableau.descend(cost) { Solution::Optimal(tableau.point()) } else { Solution::Unbounded }
+    let bounded = tableau.descend(cost, work)?;
+    Some(if bounded { Solution::Optimal(tableau.point()) } else { Solution::Unbounded })
 }
 
 /// The rows hold the coefficients in the variables' columns and the constant in column `count`.
@@ -127,16 +169,17 @@ impl Tableau {
         cost
     }
 
-    /// Pivots until no column lowers the cost; false if the cost has no lower bound.
-    fn descend(&mut self, mut cost: Row) -> bool {
+    /// Pivots until no column lowers the cost; false if the cost has no lower bound, `None` if there
+    /// is no work left.
+    fn descend(&mut self, mut cost: Row, work: &Work) -> Option<bool> {
         while let Some(entering) = cost.first_negative(self.count) {
             let Some(leaving) = self.leaving(entering) else {
-                return false;
+                return Some(false);
             };
-            self.pivot(leaving, entering);
+            self.pivot(leaving, entering, work)?;
             cost.eliminate(&self.rows[leaving], entering);
         }
-        true
+        Some(true)
     }
 
     /// The row that limits the entering variable first; the smallest basic variable in a tie.
@@ -162,18 +205,23 @@ impl Tableau {
         best.map(|(i, ..)| i)
     }
 
-    fn pivot(&mut self, leaving: usize, entering: usize) {
+    fn pivot(&mut self, leaving: usize, entering: usize, work: &Work) -> Option<()> {
         let pivot_row = std::mem::take(&mut self.rows[leaving]);
+        let mut written = 0;
         for row in &mut self.rows {
-            row.eliminate(&pivot_row, entering);
+            if row.eliminate(&pivot_row, entering) {
+                written += row.words();
+            }
         }
         self.rows[leaving] = pivot_row;
         self.basis[leaving] = entering;
+        // Looking through the rows is work too.
+        work.spend(written + self.rows.len() as u64).then_some(())
     }
 
     /// After phase one: false if an artificial variable is not zero; else makes every basic
     /// variable a proper one and drops the rows that say nothing.
-    fn drop_artificial(&mut self) -> bool {
+    fn drop_artificial(&mut self, work: &Work) -> Option<bool> {
         let mut i = 0;
         while i < self.rows.len() {
             if self.basis[i] < self.count {
@@ -181,7 +229,7 @@ impl Tableau {
                 continue;
             }
             if !self.rows[i].at(self.count).is_zero() {
-                return false;
+                return Some(false);
             }
             let entry = self.rows[i].entries().next().map(|(j, x)| (j, x.is_negative()));
             match entry {
@@ -190,7 +238,7 @@ impl Tableau {
                         // The constant is 0: the row may be negated.
                         self.rows[i].negate();
                     }
-                    self.pivot(i, entering);
+                    self.pivot(i, entering, work)?;
                     i += 1;
                 }
                 None => {
@@ -199,7 +247,7 @@ impl Tableau {
                 }
             }
         }
-        true
+        Some(true)
     }
 
     fn point(&self) -> Vec<Rational> {

@@ -78,16 +78,23 @@ impl Row {
         }
     }
 
-    /// Adds the multiple of `pivot_row` that clears a column, where the pivot is positive.
-    pub fn eliminate(&mut self, pivot_row: &Self, column: usize) {
+    /// How many words its numbers have.
+    pub fn words(&self) -> u64 {
+        self.entries.iter().map(|(_, x)| x.words()).sum()
+    }
+
+    /// Adds the multiple of `pivot_row` that clears a column, where the pivot is positive; whether
+    /// there was anything to clear.
+    pub fn eliminate(&mut self, pivot_row: &Self, column: usize) -> bool {
         let factor = self.at(column);
         if factor.is_zero() {
-            return;
+            return false;
         }
         let pivot = pivot_row.at(column);
         let common = pivot.gcd(factor);
         let (own, factor) = (pivot.divided(&common), factor.divided(&common));
         self.combine(&own, pivot_row, &factor);
+        true
     }
 
     fn reduce(&mut self) {

@@ -124,6 +124,12 @@ impl Predicate {
         Ok(Self { text: text.to_owned(), is: Constraint { form, sign: comparison.relation } })
     }
 
+    /// As it stands in the file, for whichever agents: what is written once stands for one comparison
+    /// or several.
+    pub fn written(&self) -> &str {
+        self.text.rsplit_once(" (i = ").map_or(self.text.as_str(), |(written, _)| written)
+    }
+
     /// Whether it holds of a state.
     pub fn holds(&self, state: &[Rational]) -> bool {
         self.is.form.at(state).is_some_and(|value| self.is.sign.met_by(&value))
@@ -241,6 +247,29 @@ impl System {
             sign: Sign::Zero,
         });
         self.starts.iter().map(|p| p.is.clone()).chain(rest).collect()
+    }
+
+    /// The assumptions as they are written, in order.
+    pub fn written_starts(&self) -> Vec<&str> {
+        let mut texts: Vec<&str> = self.starts.iter().map(Predicate::written).collect();
+        texts.dedup();
+        texts
+    }
+
+    /// The claims as they are written, in order: of each the places of what it stands for.
+    pub fn written_claims(&self) -> Vec<(&str, Vec<usize>)> {
+        let mut groups: Vec<(&Claim, Vec<usize>)> = Vec::new();
+        for (place, claim) in self.claims.iter().enumerate() {
+            let same = |c: &Claim| {
+                (c.predicate.written(), c.from, c.until)
+                    == (claim.predicate.written(), claim.from, claim.until)
+            };
+            match groups.last_mut().filter(|(first, _)| same(first)) {
+                Some((_, group)) => group.push(place),
+                None => groups.push((claim, vec![place])),
+            }
+        }
+        groups.into_iter().map(|(first, places)| (first.predicate.written(), places)).collect()
     }
 
     /// The whole state of a start that gives every agent's variables, agent by agent. `None`

@@ -10,15 +10,15 @@ use num_traits::{One, Signed, Zero};
 use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Sign};
-use cordon_core::simplex::{Solution, Term, maximise_sparse};
+use cordon_core::simplex::{Solution, Term, Work, maximise_within};
 use cordon_core::system::{Claim, Predicate, System};
 
 /// Steps in which the state is watched.
 const STEPS: usize = 30;
 
-/// The system with bounds claimed on every state variable. `None` where the starts have none, or
-/// claims are about certain steps only.
-pub fn bounded(system: &System) -> Option<System> {
+/// The system with bounds claimed on every state variable. `None` where the starts have none, claims
+/// are about certain steps only, or that is more work than it may be.
+pub fn bounded(system: &System, work: &Work) -> Option<System> {
     if system.claims.iter().any(|c| c.from > 0 || c.until.is_some()) {
         return None;
     }
@@ -38,7 +38,8 @@ pub fn bounded(system: &System) -> Option<System> {
                 if k % 3 == 0 {
                     let negated = Affine::constant(Rational::zero()) - &form;
                     for side in [&form, &negated] {
-                        reached = reached.max(greatest(side, &starts, system.state.len())?.abs());
+                        let most = greatest(side, &starts, system.state.len(), work)?;
+                        reached = reached.max(most.abs());
                     }
                 }
                 form = map.pulled_back(&form)?;
@@ -58,8 +59,13 @@ pub fn bounded(system: &System) -> Option<System> {
 }
 
 /// The greatest value of a form under the constraints, strict ones with their bounds; `None` where there
-/// is none.
-pub fn greatest(form: &Affine, constraints: &[Constraint], variables: usize) -> Option<Rational> {
+/// is none, or that is more work than it may be.
+pub fn greatest(
+    form: &Affine,
+    constraints: &[Constraint],
+    variables: usize,
+    work: &Work,
+) -> Option<Rational> {
     // Columns: positive and negative part of every variable, the slacks.
     let signed = |coefficients: &[Rational]| -> Vec<Term> {
         let nonzero = coefficients.iter().enumerate().filter(|(_, a)| !a.is_zero());
@@ -78,7 +84,8 @@ pub fn greatest(form: &Affine, constraints: &[Constraint], variables: usize) -> 
     }
     let equations: Vec<_> = rows.iter().map(Vec::as_slice).zip(&constants).collect();
     let (_, coefficients) = form.parts()?;
-    match maximise_sparse(2 * variables + constraints.len(), &signed(coefficients), &equations) {
+    let columns = 2 * variables + constraints.len();
+    match maximise_within(columns, &signed(coefficients), &equations, work)? {
         Solution::Optimal(x) => {
             let at: Vec<Rational> = (0..variables).map(|j| &x[j] - &x[variables + j]).collect();
             form.at(&at)

@@ -232,8 +232,8 @@ fn checked(
                 let readouts = quotient.readouts.clone();
                 return Ok(Some(Contraction { rate: rate.clone(), form, readouts, certificate }));
             }
-            // Too coarse: the next rounding may do.
-            Err(cordon_core::Error::Rejected(_)) => {}
+            // Too coarse: the next rounding may do. Or beyond the checker's limits.
+            Err(cordon_core::Error::Rejected(_) | cordon_core::Error::Input(_)) => {}
             Err(e) => return Err(e),
         }
     }
@@ -317,7 +317,7 @@ fn growth(system: &System) -> Result<Option<(Vec<Rational>, Value)>> {
     let certificate = certificate.certificate();
     match certificate::judged(&certificate) {
         Ok(_) => Ok(Some((state, certificate))),
-        Err(cordon_core::Error::Rejected(_)) => Ok(None),
+        Err(cordon_core::Error::Rejected(_) | cordon_core::Error::Input(_)) => Ok(None),
         Err(e) => Err(e),
     }
 }

@@ -1,6 +1,5 @@
 //! The claims about a system: proved with a certificate, or refuted by a smallest run.
 
-pub mod any_size;
 pub mod automaton;
 mod bounds;
 pub mod certificate;
@@ -10,23 +9,28 @@ pub mod readouts;
 mod refute;
 pub mod search;
 pub mod settle;
+pub mod sweep;
 pub mod threshold;
 
 pub use refute::{MOST_COMBINATIONS, Run, constants, follow, refute};
 
 use cordon_core::Rational;
-use cordon_core::linear::feasible::point;
+use cordon_core::linear::feasible::point_within;
+use cordon_core::simplex::Work;
 use cordon_core::system::{Parameter, ParameterKind, System};
 
 use automaton::Automaton;
-use search::{Answer, Limits, Proof, Search};
+use search::{Answer, End, Limits, Proof, Search};
 
 /// How far a proof is searched.
-pub const PROOF: Limits = Limits { steps: 150, half_spaces: 300, programs: 2_500 };
+pub const PROOF: Limits = Limits { steps: 150, half_spaces: 300, work: 200_000_000 };
 
-/// Whether no start meets the assumptions, so that there is nothing to prove.
+/// Whether no start meets the assumptions, so that there is nothing to prove; as far as that takes no
+/// more work than a proof.
 pub fn is_vacuous(system: &System) -> bool {
-    point(system.state.len(), &system.start_constraints()).is_none()
+    let work = Work::limited(PROOF.work);
+    let some = point_within(system.state.len(), &system.start_constraints(), &work);
+    some.is_none() && work.left() > 0
 }
 
 /// The claims about a system, proved.
@@ -42,29 +46,40 @@ pub struct Proved {
 /// A proof, if the search finds one: the claims hold in every run from every assumed start, for all
 /// values of the parameters. None does not mean that a claim is false.
 pub fn prove(system: &System) -> Option<Proved> {
-    prove_within(system, &PROOF)
+    prove_within(system, &PROOF).ok()
 }
 
-/// As [`prove`], searching so far and no further.
-pub fn prove_within(system: &System, limits: &Limits) -> Option<Proved> {
+/// As [`prove`], searching so far and no further, or why there is none: several attempts, each within
+/// the limits.
+///
+/// # Errors
+/// There is none; the error is what ended the last search.
+pub fn prove_within(system: &System, limits: &Limits) -> Result<Proved, End> {
     let attempt = |system: &System, limits: &Limits| {
         let automaton = Automaton::of(system);
         let starts = system.start_constraints();
-        let search = Search::new(system, &automaton, system.parameters.clone(), starts);
-        match search.run(limits) {
-            Answer::Proved(proof) => Some(Proved { system: system.clone(), proof }),
-            Answer::Refuted(..) | Answer::Open(_) => None,
+        let parameters = system.parameters.clone();
+        match Search::new(system, &automaton, parameters, starts, limits).run() {
+            Answer::Proved(proof) => Ok(Proved { system: system.clone(), proof }),
+            Answer::Refuted(..) => Err(End::Failure),
+            Answer::Open(_, end) => Err(end),
         }
     };
     // A first short attempt: pre-images of bounded claims are exhausted soon, others never.
     let short = Limits {
         steps: limits.steps.min(40),
         half_spaces: limits.half_spaces.min(200),
-        programs: limits.programs.min(1_000),
+        work: limits.work / 4,
     };
-    attempt(system, &short)
-        .or_else(|| attempt(&bounds::bounded(system)?, limits))
-        .or_else(|| if short == *limits { None } else { attempt(system, limits) })
+    let first = attempt(system, &short);
+    if first.is_ok() || matches!(first, Err(End::Failure)) {
+        return first;
+    }
+    let bounded = bounds::bounded(system, &Work::limited(limits.work / 4));
+    if let Some(proved) = bounded.and_then(|system| attempt(&system, limits).ok()) {
+        return Ok(proved);
+    }
+    attempt(system, limits)
 }
 
 /// The parameters with single values in the place of the constants' ranges.

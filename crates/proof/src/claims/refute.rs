@@ -26,6 +26,9 @@ pub struct Run {
 /// Most combinations of constants that are searched.
 pub const MOST_COMBINATIONS: usize = 2_000;
 
+/// Most work in a search for a counterexample, at all constants together.
+pub const WORK: u64 = 300_000_000;
+
 /// The values of the constants that are searched: of each range both ends, and the fractions between
 /// with denominators up to `denominators`; combined, the simplest first. Parameters that vary stand at
 /// their least. `None` where there are more than [`MOST_COMBINATIONS`].
@@ -72,7 +75,8 @@ pub fn refute(
     };
     let mut best: Option<Run> = None;
     let mut complete = steps;
-    for values in constants {
+    let mut left = WORK;
+    for (values, others) in constants.iter().zip((1..=constants.len() as u64).rev()) {
         let deepest = match &best {
             Some(run) => match run.step.checked_sub(1) {
                 Some(before) => before,
@@ -80,9 +84,13 @@ pub fn refute(
             },
             None => steps,
         };
-        let limits = Limits { steps: deepest, half_spaces: 1_000, programs: 5_000 };
-        let search = Search::new(system, &automaton, super::at(system, values), starts.clone());
-        match search.run(&limits) {
+        // What the simple ones leave, the others may use.
+        let limits = Limits { steps: deepest, half_spaces: 1_000, work: left / others };
+        let parameters = super::at(system, values);
+        let mut search = Search::new(system, &automaton, parameters, starts.clone(), &limits);
+        let answer = search.run();
+        left -= limits.work - search.left();
+        match answer {
             Answer::Refuted(start, choices) => {
                 if let Some(run) = follow(system, values, &start, choices)
                     && best.as_ref().is_none_or(|b| run.step < b.step)
@@ -91,7 +99,7 @@ pub fn refute(
                 }
             }
             Answer::Proved(_) => {}
-            Answer::Open(depth) => {
+            Answer::Open(depth, _) => {
                 complete = complete.min(depth.max(if depth >= deepest { steps } else { 0 }))
             }
         }

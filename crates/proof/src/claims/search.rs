@@ -13,27 +13,72 @@
 //! every step keeps (Houdini) is known from the beginning.
 
 use std::collections::{BTreeSet, VecDeque};
+use std::{fmt, mem};
 
 use num_traits::Zero;
 
 use super::automaton::Automaton;
 use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
-use cordon_core::linear::feasible::{Constraint, Premises, Sign, point};
+use cordon_core::linear::feasible::{Constraint, Premises, Sign, point_within};
+use cordon_core::simplex::Work;
 use cordon_core::system::{Parameter, ParameterKind, System, inequalities};
 
 /// Most bits of a number in an invariant: certificates take longer ones, but not in such numbers.
 const LONGEST: u64 = 2_000;
+
+/// Links from what a goal speaks of to what is near it: 0, 1, and so on; then everything counts.
+const NEAR: usize = 3;
+
+/// Most half-spaces from all of which something is shown: a program with more, whose answer is mostly
+/// that it does not follow, is work without use, where the near ones did not show it.
+const MANY: usize = 300;
+
+/// Most variables of a half-space that makes them near each other.
+const FEW: usize = 4;
 
 /// How far to search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// Last step of a counterexample.
     pub steps: usize,
-    /// Most half-spaces of an invariant.
+    /// Most half-spaces of an invariant beside the claims and what is assumed of the start.
     pub half_spaces: usize,
-    /// Most linear programs.
-    pub programs: usize,
+    /// Most work in linear programs, in the unit of [`Work`].
+    pub work: u64,
+}
+
+/// What ended a search that decided nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// The limit of steps.
+    Steps,
+    /// The limit of half-spaces.
+    HalfSpaces,
+    /// The limit of work.
+    Work,
+    /// Numbers longer than a certificate may have.
+    Digits,
+    /// A claim that fails where constants differ from step to step; it may hold where they do not.
+    Varying,
+    /// A claim that fails.
+    Failure,
+}
+
+impl fmt::Display for End {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Steps => "the invariant needs more steps than the search goes back",
+            Self::HalfSpaces => "the invariant needs more half-spaces than the search allows",
+            Self::Work => "the linear programs take more work than the search allows",
+            Self::Digits => "the invariant needs longer numbers than a certificate may have",
+            Self::Varying => {
+                "a claim fails where a constant takes another value in each step, which is how ranges \
+                 are proved"
+            }
+            Self::Failure => "a claim fails",
+        })
+    }
 }
 
 /// Values of some parameters, by their places.
@@ -94,8 +139,23 @@ pub enum Answer {
     Proved(Proof),
     /// A claim fails: the start, and how the run goes on.
     Refuted(Vec<Rational>, Vec<Choice>),
-    /// No claim fails up to that step, from any start, whatever is chosen; the rest is open.
-    Open(usize),
+    /// No claim fails up to that step, from any start, whatever is chosen; the rest is open, by what
+    /// ended the search.
+    Open(usize, End),
+}
+
+/// Puts a combination of others in the place of a premise.
+fn replace(multipliers: &mut Vec<(usize, Rational)>, row: usize, others: &[(usize, Rational)]) {
+    let Some(at) = multipliers.iter().position(|(j, _)| *j == row) else { return };
+    let (_, factor) = multipliers.swap_remove(at);
+    for (j, m) in others {
+        match multipliers.iter_mut().find(|(known, _)| known == j) {
+            Some((_, sum)) => *sum += &factor * m,
+            None => multipliers.push((*j, &factor * m)),
+        }
+    }
+    multipliers.retain(|(_, m)| !m.is_zero());
+    multipliers.sort_by_key(|(j, _)| *j);
 }
 
 /// The search under way.
@@ -108,16 +168,19 @@ pub struct Search<'s> {
     rows: Vec<Row>,
     kept: Vec<Kept>,
     base: Vec<(usize, Vec<(usize, Rational)>)>,
-    programs: usize,
+    work: Work,
+    limits: Limits,
 }
 
 impl<'s> Search<'s> {
-    /// The search for a system whose parameters have these ranges; `starts` are what is assumed.
+    /// The search for a system whose parameters have these ranges, so far and no further; `starts` are
+    /// what is assumed.
     pub fn new(
         system: &'s System,
         automaton: &'s Automaton,
         parameters: Vec<Parameter>,
         starts: Vec<Constraint>,
+        limits: &Limits,
     ) -> Self {
         Self {
             system,
@@ -127,18 +190,23 @@ impl<'s> Search<'s> {
             rows: Vec::new(),
             kept: Vec::new(),
             base: Vec::new(),
-            programs: 0,
+            work: Work::limited(limits.work),
+            limits: *limits,
         }
     }
 
     /// Searches. Where a constant has a range, it is taken to vary: what is proved holds all the same;
     /// what fails is reported as open.
-    pub fn run(mut self, limits: &Limits) -> Answer {
+    pub fn run(&mut self) -> Answer {
         let constant = |p: &Parameter| p.kind == ParameterKind::Constant && p.fixed().is_none();
         let may_refute = !self.parameters.iter().any(constant);
-        if self.kept_from_the_beginning(limits).is_none() {
-            return Answer::Open(0);
+        // Half of the work at most: without that set the search may still succeed.
+        let half = self.limits.work / 2;
+        self.work = Work::limited(half);
+        if self.kept_from_the_beginning().is_none() {
+            self.rows.clear();
         }
+        self.work = Work::limited(self.limits.work - half + self.work.left());
         let mut queue: VecDeque<usize> = VecDeque::new();
         for moment in 0..self.automaton.names.len() {
             for &claim in &self.automaton.claims[moment] {
@@ -162,15 +230,16 @@ impl<'s> Search<'s> {
                 match self.holds_of_start(j) {
                     Some(multipliers) => self.base.push((j, multipliers)),
                     None => {
-                        return self.refuted(j).filter(|_| may_refute).unwrap_or(Answer::Open(0));
+                        return self.fails(j, 0, may_refute);
                     }
                 }
             }
         }
+        let first = self.rows.len();
         while let Some(j) = queue.pop_front() {
             let depth = self.rows[j].depth;
-            if depth >= limits.steps {
-                return Answer::Open(depth);
+            if depth >= self.limits.steps {
+                return Answer::Open(depth, End::Steps);
             }
             let edges: Vec<(usize, usize, usize)> = self
                 .automaton
@@ -180,15 +249,18 @@ impl<'s> Search<'s> {
             for (edge, from, mode) in edges {
                 for corner in self.corners(j, mode) {
                     let Some(is) = self.pre_image(j, mode, &corner) else {
-                        return Answer::Open(depth);
+                        return Answer::Open(depth, End::Digits);
                     };
                     if let Some(multipliers) = self.follows(&is, from, None) {
                         self.kept.push(Kept { row: j, edge, corner, multipliers });
                         continue;
                     }
                     let new = self.rows.len();
-                    if new >= limits.half_spaces || self.programs >= limits.programs {
-                        return Answer::Open(depth);
+                    if new - first >= self.limits.half_spaces {
+                        return Answer::Open(depth, End::HalfSpaces);
+                    }
+                    if self.work.left() == 0 {
+                        return Answer::Open(depth, End::Work);
                     }
                     self.rows.push(Row {
                         is,
@@ -200,10 +272,7 @@ impl<'s> Search<'s> {
                     if from == 0 {
                         match self.holds_of_start(new) {
                             Some(multipliers) => self.base.push((new, multipliers)),
-                            None if may_refute => {
-                                return self.refuted(new).unwrap_or(Answer::Open(depth));
-                            }
-                            None => return Answer::Open(depth),
+                            None => return self.fails(new, depth, may_refute),
                         }
                     }
                     let multipliers = vec![(new, Rational::from_integer(1.into()))];
@@ -212,7 +281,46 @@ impl<'s> Search<'s> {
                 }
             }
         }
-        Answer::Proved(Proof { rows: self.rows, base: self.base, kept: self.kept })
+        self.minimise();
+        Answer::Proved(Proof {
+            rows: mem::take(&mut self.rows),
+            base: mem::take(&mut self.base),
+            kept: mem::take(&mut self.kept),
+        })
+    }
+
+    /// The work that is left.
+    pub fn left(&self) -> u64 {
+        self.work.left()
+    }
+
+    /// Leaves out rows that follow from others of their moment: what was shown with their help is shown
+    /// with the help of those. The longest way from a claim goes first: there numbers are longest.
+    fn minimise(&mut self) {
+        let mut gone = vec![false; self.rows.len()];
+        for j in (0..self.rows.len()).rev() {
+            let Some(row) = self.rows.get(j).filter(|r| r.claim.is_none()) else { continue };
+            if let Some(slot) = gone.get_mut(j) {
+                *slot = true;
+            }
+            let Some(others) = self.follows(&row.is, row.moment, Some(&gone)) else {
+                if let Some(slot) = gone.get_mut(j) {
+                    *slot = false;
+                }
+                continue;
+            };
+            for kept in &mut self.kept {
+                replace(&mut kept.multipliers, j, &others);
+            }
+        }
+        let mut base = vec![None; self.rows.len()];
+        for (j, multipliers) in mem::take(&mut self.base) {
+            if let Some(slot) = base.get_mut(j) {
+                *slot = Some(multipliers);
+            }
+        }
+        let kept = vec![mem::take(&mut self.kept)];
+        self.retain(&gone, base, kept);
     }
 
     /// The corners of the ranges of the parameters that play a part in a row's image.
@@ -267,7 +375,7 @@ impl<'s> Search<'s> {
 
     /// Multipliers that show a half-space to follow from the rows of a moment, but for `without`.
     fn follows(
-        &mut self,
+        &self,
         goal: &Constraint,
         moment: usize,
         without: Option<&[bool]>,
@@ -285,48 +393,65 @@ impl<'s> Search<'s> {
             return Some(vec![(j, Rational::from_integer(1.into()))]);
         }
         let given: Vec<Constraint> = places.iter().map(|&j| self.rows[j].is.clone()).collect();
-        let found = self.near_first(&given, goal)?;
+        let found = self.near_first(&given, goal, given.len() <= MANY)?;
         Some(found.into_iter().filter_map(|(at, m)| Some((*places.get(at)?, m))).collect())
     }
 
     /// Multipliers of what is given, by place: first of what speaks of nothing else than the goal does,
-    /// a small program; then of all.
+    /// a small program; then of what speaks of what is near that too, some links on; then, if `all` may
+    /// count, of all.
     fn near_first(
-        &mut self,
+        &self,
         given: &[Constraint],
         goal: &Constraint,
+        all: bool,
     ) -> Option<Vec<(usize, Rational)>> {
-        fn speaks_of(c: &Constraint) -> impl Iterator<Item = usize> {
+        let speaks_of = |c: &Constraint| {
             let coefficients = c.form.parts().map_or(&[][..], |(_, c)| c);
-            coefficients.iter().enumerate().filter(|(_, c)| !c.is_zero()).map(|(j, _)| j)
-        }
-        let wanted: BTreeSet<usize> = speaks_of(goal).collect();
-        let is_near = |(_, c): &(usize, &Constraint)| speaks_of(c).all(|v| wanted.contains(&v));
-        let near: Vec<usize> = given.iter().enumerate().filter(is_near).map(|(j, _)| j).collect();
-        let all = (0..given.len()).collect::<Vec<_>>();
-        let tried = if near.len() < all.len() { vec![near, all] } else { vec![all] };
-        for places in tried {
-            let some: Vec<Constraint> =
-                places.iter().filter_map(|&j| given.get(j).cloned()).collect();
-            self.programs += 1;
-            if let Some(multipliers) = Premises::new(&some)?.multipliers(goal) {
-                let found = places.into_iter().zip(multipliers);
-                return Some(found.filter(|(_, m)| !m.is_zero()).collect());
+            let nonzero = coefficients.iter().enumerate().filter(|(_, c)| !c.is_zero());
+            nonzero.map(|(j, _)| j).collect::<Vec<usize>>()
+        };
+        let about: Vec<Vec<usize>> = given.iter().map(speaks_of).collect();
+        let mut near: BTreeSet<usize> = speaks_of(goal).into_iter().collect();
+        let mut tried = usize::MAX;
+        for links in 0..=NEAR {
+            let is_near = |j: &usize| {
+                (all && links == NEAR) || about.get(*j).is_some_and(|a| a.iter().all(|v| near.contains(v)))
+            };
+            let places: Vec<usize> = (0..given.len()).filter(is_near).collect();
+            if places.len() != tried {
+                tried = places.len();
+                let some: Vec<Constraint> =
+                    places.iter().filter_map(|&j| given.get(j).cloned()).collect();
+                let premises = Premises::new(&some)?;
+                if let Some(multipliers) = premises.multipliers_within(goal, &self.work) {
+                    let found = places.into_iter().zip(multipliers);
+                    return Some(found.filter(|(_, m)| !m.is_zero()).collect());
+                }
             }
+            let touches = |a: &&Vec<usize>| a.len() <= FEW && a.iter().any(|v| near.contains(v));
+            let more: Vec<usize> = about.iter().filter(touches).flatten().copied().collect();
+            near.extend(more);
         }
         None
     }
 
     /// Multipliers of the assumptions that show a row to hold of every start.
-    fn holds_of_start(&mut self, row: usize) -> Option<Vec<(usize, Rational)>> {
-        let (starts, goal) = (self.starts.clone(), self.rows.get(row)?.is.clone());
-        self.near_first(&starts, &goal)
+    fn holds_of_start(&self, row: usize) -> Option<Vec<(usize, Rational)>> {
+        self.near_first(&self.starts, &self.rows.get(row)?.is, true)
+    }
+
+    /// What a row comes to that was not shown of every start.
+    fn fails(&self, row: usize, depth: usize, may_refute: bool) -> Answer {
+        let found = if may_refute { self.refuted(row) } else { None };
+        let end = if self.work.left() == 0 { End::Work } else { End::Varying };
+        found.unwrap_or(Answer::Open(depth, end))
     }
 
     /// The counterexample that a row is which fails of some start.
     fn refuted(&self, row: usize) -> Option<Answer> {
         let found = self.rows.get(row)?;
-        let start = violating(self.system.state.len(), &self.starts, &found.is)?;
+        let start = self.violating(&found.is)?;
         let mut choices = Vec::new();
         let mut at = &found.leads_to;
         while let Some((row, edge, corner)) = at {
@@ -338,7 +463,7 @@ impl<'s> Search<'s> {
     }
 
     /// The largest set of assumptions and claims that holds of the start and that every step keeps.
-    fn kept_from_the_beginning(&mut self, limits: &Limits) -> Option<()> {
+    fn kept_from_the_beginning(&mut self) -> Option<()> {
         let assumed: Vec<Constraint> = self.starts.iter().flat_map(inequalities).collect();
         for moment in 0..self.automaton.names.len() {
             let claims = self.automaton.claims[moment].iter();
@@ -370,7 +495,7 @@ impl<'s> Search<'s> {
                         None => (gone[j], dropped) = (true, true),
                     }
                 }
-                if self.programs >= limits.programs {
+                if self.work.left() == 0 {
                     return None;
                 }
             }
@@ -383,7 +508,7 @@ impl<'s> Search<'s> {
     }
 
     /// The proofs that every step to a row's moment keeps the row.
-    fn keeps(&mut self, row: usize, gone: &[bool]) -> Option<Vec<Kept>> {
+    fn keeps(&self, row: usize, gone: &[bool]) -> Option<Vec<Kept>> {
         let edges: Vec<(usize, usize, usize)> = self
             .automaton
             .into(self.rows[row].moment)
@@ -427,22 +552,18 @@ impl<'s> Search<'s> {
             self.kept.push(Kept { row: at(proof.row), multipliers, ..proof });
         }
     }
-}
 
-/// A start that meets the assumptions and of which the half-space fails.
-pub fn violating(
-    variables: usize,
-    starts: &[Constraint],
-    is: &Constraint,
-) -> Option<Vec<Rational>> {
-    // The negation of form > 0 is -form >= 0, and of form >= 0 it is -form > 0.
-    let form = Affine::constant(Rational::zero()) - &is.form;
-    let with = |sign| {
-        let last = Constraint { form: form.clone(), sign };
-        let all: Vec<Constraint> = starts.iter().cloned().chain([last]).collect();
-        point(variables, &all)
-    };
-    // A real violation first, then one that only touches the bound.
-    with(Sign::Positive)
-        .or_else(|| (is.sign == Sign::Positive).then(|| with(Sign::NonNegative)).flatten())
+    /// A start that meets the assumptions and of which the half-space fails.
+    fn violating(&self, is: &Constraint) -> Option<Vec<Rational>> {
+        // The negation of form > 0 is -form >= 0, and of form >= 0 it is -form > 0.
+        let form = Affine::constant(Rational::zero()) - &is.form;
+        let with = |sign| {
+            let last = Constraint { form: form.clone(), sign };
+            let all: Vec<Constraint> = self.starts.iter().cloned().chain([last]).collect();
+            point_within(self.system.state.len(), &all, &self.work)
+        };
+        // A real violation first, then one that only touches the bound.
+        with(Sign::Positive)
+            .or_else(|| (is.sign == Sign::Positive).then(|| with(Sign::NonNegative)).flatten())
+    }
 }

@@ -11,6 +11,7 @@ use crate::settle::{Rounding, least_power_at_most};
 use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::definite::is_positive_definite;
+use cordon_core::simplex::Work;
 use cordon_core::system::System;
 
 /// The step from which on every readout is at most `within`, from `start` or from every assumed start;
@@ -34,6 +35,7 @@ pub fn settles(
         None => {
             // Each readout by itself: no start has them all at their greatest.
             let starts = system.start_constraints();
+            let work = Work::limited(super::PROOF.work);
             let bound = |(j, reference): &(usize, Reference)| {
                 let form = match reference {
                     Reference::Target(t) => Affine::variable(*j) - &Affine::constant(t.clone()),
@@ -41,10 +43,8 @@ pub fn settles(
                 };
                 let negated = Affine::constant(Rational::zero()) - &form;
                 let variables = system.state.len();
-                Some(
-                    greatest(&form, &starts, variables)?
-                        .max(greatest(&negated, &starts, variables)?),
-                )
+                let most = |form| greatest(form, &starts, variables, &work);
+                Some(most(&form)?.max(most(&negated)?))
             };
             let bounds = by.readouts.all.iter().map(bound).collect::<Option<Vec<_>>>()?;
             let terms =

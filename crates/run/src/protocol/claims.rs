@@ -18,6 +18,9 @@ use crate::scenario::file::Source;
 /// Most comparisons in the claims, and as many in the assumptions on the start.
 const MOST_COMPARISONS: usize = 2_000;
 
+/// The last step that a claim may name.
+const LAST_STEP: usize = 1_000;
+
 /// What is needed to read comparisons.
 pub(super) struct Claims<'s> {
     pub source: &'s Source<'s>,
@@ -130,9 +133,14 @@ impl Claims<'_> {
                         Some(v) => v
                             .as_integer()
                             .and_then(|k| usize::try_from(k).ok())
-                            .filter(|k| *k <= 1_000)
+                            .filter(|k| *k <= LAST_STEP)
                             .map(Some)
-                            .ok_or_else(fail),
+                            .ok_or_else(|| {
+                                let message = format!(
+                                    "claims: `{key} = {v}`: expected a step from 0 to {LAST_STEP}"
+                                );
+                                self.source.error(&written.span(), &message)
+                            }),
                     };
                     let text = table.get("holds").and_then(Value::as_str).ok_or_else(fail)?;
                     if !table.keys().all(known) {

@@ -21,43 +21,48 @@ use super::links::{Links, Topology};
 use super::rules::text;
 use crate::scenario::file::Source;
 
-/// The rules by class, and what is assumed and claimed of every agent.
+/// A protocol of any number N >= 3 of agents on a line or a ring. Agent i's variable x is written
+/// `x(i)`, its neighbours' `x(i-1)` and `x(i+1)`, those of the ends `x(0)` and `x(last)`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Classes {
-    /// Whether the last agent and the first are neighbours; there is one class then, `all`.
+pub struct Family {
+    /// Whether the last agent and the first are neighbours: one class, `all`, in the place of `first`,
+    /// `inner` and `last`.
     pub is_ring: bool,
     /// The variables of an agent.
     pub state: Vec<String>,
-    /// The constants with their ranges.
-    pub parameters: Vec<Parameter>,
-    /// For each class (`first`, `inner`, `last`, or `all`) the next value of each variable.
+    /// Real constants, with the ends of their ranges where they have any.
+    pub parameters: BTreeMap<String, [Option<Rational>; 2]>,
+    /// For each class the next values of variables, like `x(i) + eps*(x(i+1) - x(i))`: of agent i
+    /// and its neighbours. A variable left out keeps its value.
     pub rules: BTreeMap<String, BTreeMap<String, String>>,
-    /// What is assumed of the start.
-    pub starts: Vec<String>,
-    /// What is claimed of every step.
+    /// Literals about the parameters, like `min < max`; a file has none.
+    pub given: Vec<String>,
+    /// Literals assumed of the start, like `x(i) <= x(i+1)`: for every i for which there are such agents.
+    pub start: Vec<String>,
+    /// Literals claimed of every step.
     pub claims: Vec<String>,
 }
 
-/// Why a file says nothing for every number of agents at once, in words; or the classes.
-pub type Reading = std::result::Result<Classes, String>;
+/// Why a file says nothing for every number of agents at once, in words; or the family.
+pub type Reading = std::result::Result<Family, String>;
 
 impl ProtocolFile {
-    /// The classes of the file, if it is about a line or a ring without departures, with one rule a class.
+    /// The family of the file, if it is about a line or a ring without departures, with one rule a class;
+    /// `parameters` are the file's own, or narrower.
     ///
     /// # Errors
-    /// A parameter or a variable is wrong.
-    pub fn classes(&self) -> Result<Reading> {
+    /// A variable or the topology is wrong.
+    pub fn family(&self, parameters: &[Parameter]) -> Result<Reading> {
         let source = Source { name: &self.name, text: &self.text };
         let variables = self.document.variables(&source)?;
-        let parameters = self.document.parameters(&source, &variables)?;
         let links = self.document.links(&source, self.agents.fewest().max(3))?;
-        Ok(self.read_classes(&variables, parameters, &links))
+        Ok(self.read_family(&variables, parameters, &links))
     }
 
-    fn read_classes(
+    fn read_family(
         &self,
         variables: &[Variable],
-        parameters: Vec<Parameter>,
+        parameters: &[Parameter],
         links: &Links,
     ) -> Reading {
         let doc = &self.document;
@@ -84,7 +89,7 @@ impl ProtocolFile {
             return Err(format!("`rules.{}` is about single agents", key.get_ref()));
         }
         let about =
-            |class| About { variables, parameters: &parameters, class: Some(class), is_ring };
+            |class| About { variables, parameters, class: Some(class), is_ring };
         let mut found = BTreeMap::new();
         for &class in classes {
             let named = |name: &str| rules.iter().find(|(key, _)| key.get_ref() == name);
@@ -103,7 +108,7 @@ impl ProtocolFile {
             }
             found.insert(class.to_owned(), next);
         }
-        let about = About { variables, parameters: &parameters, class: None, is_ring };
+        let about = About { variables, parameters, class: None, is_ring };
         let mut claims = Vec::new();
         for claim in &doc.claims {
             let toml::Value::String(text) = claim.get_ref() else {
@@ -113,7 +118,7 @@ impl ProtocolFile {
             };
             claims.extend(about.literals(text)?);
         }
-        let starts = match &doc.start {
+        let start = match &doc.start {
             None => claims.clone(),
             Some(list) => {
                 let mut starts = Vec::new();
@@ -127,7 +132,10 @@ impl ProtocolFile {
             return Err("convergence is decided for one number of agents".to_owned());
         }
         let state = variables.iter().map(|v| v.name.clone()).collect();
-        Ok(Classes { is_ring, state, parameters, rules: found, starts, claims })
+        let range = |p: &Parameter| (p.name.clone(), [Some(p.low.clone()), Some(p.high.clone())]);
+        let parameters = parameters.iter().map(range).collect();
+        let given = Vec::new();
+        Ok(Family { is_ring, state, parameters, rules: found, given, start, claims })
     }
 }
 

@@ -12,12 +12,12 @@ mod rules;
 use std::path::Path;
 
 use cordon_core::files::{self, Limit};
-use cordon_core::system::{Convergence, MOST_VARIABLES, Schedule, System, Variable};
+use cordon_core::system::{Convergence, MOST_VARIABLES, Parameter, Schedule, System, Variable};
 use cordon_core::{Error, Result};
 
 use crate::scenario::document::document;
 use crate::scenario::file::Source;
-pub use classes::Classes;
+pub use classes::Family;
 pub use document::Agents;
 use document::{Document, with_present_keys};
 
@@ -127,6 +127,20 @@ impl ProtocolFile {
     /// They are no names: the message has file, line, column and key.
     pub fn variables(&self) -> Result<Vec<Variable>> {
         self.document.variables(&Source { name: &self.name, text: &self.text })
+    }
+
+    /// The constants that the file names.
+    ///
+    /// # Errors
+    /// As for [`variables`](Self::variables).
+    pub fn parameters(&self) -> Result<Vec<Parameter>> {
+        let source = Source { name: &self.name, text: &self.text };
+        self.document.parameters(&source, &self.variables()?)
+    }
+
+    /// Whether the file says what is assumed of the start; else the claims are.
+    pub fn has_start(&self) -> bool {
+        self.document.start.is_some()
     }
 
     /// Whether the file leaves the number of agents open.

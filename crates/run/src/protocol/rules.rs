@@ -81,7 +81,10 @@ impl<'s> Rules<'s> {
         if doc.modes.is_empty() {
             rules.modes.push(("step".to_owned(), rules.mode("rules", base, None)?));
         }
-        for (name, table) in &doc.modes {
+        // In the order in which they are declared: the first acts in a run of which nothing else is said.
+        let mut declared: Vec<_> = doc.modes.iter().collect();
+        declared.sort_by_key(|(name, _)| name.span().start);
+        for (name, table) in declared {
             let field = format!("modes.{}", name.get_ref());
             if name.get_ref().is_empty()
                 || !name.get_ref().chars().all(|c| c.is_ascii_alphanumeric())
@@ -449,6 +452,9 @@ impl Meaning for Names<'_> {
             };
         match (self.rules.links.beside(self.i, step), self.rules.links.topology) {
             (Some(j), _) => self.of_agent(j, name),
+            (None, Topology::Ring) => {
+                Err(format!("`{owner}`: expected a ring of two agents or more"))
+            }
             (None, Topology::Line) => Err(format!(
                 "agent {} has no `{owner}`: expected a rule of its own for {}",
                 self.i,

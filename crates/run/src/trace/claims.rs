@@ -28,12 +28,6 @@ impl CheckedClaim {
     }
 }
 
-/// A claim as written stands for one comparison or several, one a choice of agents.
-fn written(claim: &Claim) -> &str {
-    let text = claim.predicate.text.as_str();
-    text.rsplit_once(" (i = ").map_or(text, |(written, _)| written)
-}
-
 /// Checks claims at every protocol step from 0 to `last`: those with the given numbers, or all.
 ///
 /// # Errors
@@ -52,19 +46,14 @@ pub fn check_claims(
             broken.text
         )));
     }
-    let mut groups: Vec<(CheckedClaim, Vec<&Claim>)> = Vec::new();
-    for claim in &system.claims {
-        let text = written(claim);
-        match groups.last_mut().filter(|(found, _)| found.text == text) {
-            Some((_, group)) => group.push(claim),
-            None => {
-                let (number, text) = (groups.len() + 1, text.to_owned());
-                let holds = BTreeMap::new();
-                let found = CheckedClaim { number, text, holds, first_violation: None };
-                groups.push((found, vec![claim]));
-            }
-        }
-    }
+    let group = |(before, (text, places)): (usize, (&str, Vec<usize>))| {
+        let (number, text) = (before + 1, text.to_owned());
+        let claims = places.into_iter().filter_map(|place| system.claims.get(place));
+        let found = CheckedClaim { number, text, holds: BTreeMap::new(), first_violation: None };
+        (found, claims.collect())
+    };
+    let mut groups: Vec<(CheckedClaim, Vec<&Claim>)> =
+        system.written_claims().into_iter().enumerate().map(group).collect();
     if let Some(wrong) = numbers.iter().copied().flatten().find(|n| !(1..=groups.len()).contains(n))
     {
         return Err(Error::input(format!(

@@ -15,6 +15,7 @@ use cordon_core::linear::feasible::{Constraint, Premises, Sign};
 use cordon_core::scalar::Polynomial;
 use cordon_core::system::expression::{add_term, or_zero};
 use cordon_core::{Error, Rational, Result, exact};
+use cordon_run::protocol::Family;
 use cordon_spec::Scalar;
 use num_traits::Zero;
 use serde_json::{Value, json};
@@ -22,36 +23,6 @@ use serde_json::{Value, json};
 use super::builder::{Sheet, absurd, cases, clause, induction, instance, positivity, split};
 use sums::{Fact, sum};
 use text::{Literal, Place, Reader, Symbol, Symbols};
-
-/// How agents are arranged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Topology {
-    /// Classes `first`, `inner`, `last`; the ends have one neighbour.
-    Line,
-    /// One class, `all`; the last is the neighbour of the first.
-    Ring,
-}
-
-/// A protocol of any number N >= 3 of agents. Agent i's variable x is written `x(i)`, its neighbours'
-/// `x(i-1)` and `x(i+1)`, those of the ends `x(0)` and `x(last)`.
-#[derive(Clone, Debug)]
-pub struct Family {
-    /// How agents are arranged.
-    pub topology: Topology,
-    /// The variables of an agent.
-    pub state: Vec<String>,
-    /// Real constants, with the ends of their ranges where they have any.
-    pub parameters: BTreeMap<String, [Option<Rational>; 2]>,
-    /// For each class the next values of variables, like `x(i) + eps*(x(i+1) - x(i))`: of agent i
-    /// and its neighbours. A variable left out keeps its value.
-    pub rules: BTreeMap<String, BTreeMap<String, String>>,
-    /// Literals about the parameters, like `min < max`.
-    pub given: Vec<String>,
-    /// Literals assumed of the start, like `x(i) <= x(i+1)`: for every i for which there are such agents.
-    pub start: Vec<String>,
-    /// Literals claimed of every step.
-    pub claims: Vec<String>,
-}
 
 /// The fact that says on which side of the middle of its range a parameter is.
 const HALF: &str = "half";
@@ -287,10 +258,7 @@ fn written(
         }
         parameters.insert(name.clone(), Value::Object(range));
     }
-    let topology = match family.topology {
-        Topology::Line => "line",
-        Topology::Ring => "ring",
-    };
+    let topology = if family.is_ring { "ring" } else { "line" };
     json!({ "topology": topology, "state": family.state, "parameters": parameters, "rules": classes })
 }
 
@@ -542,10 +510,8 @@ impl Search<'_> {
             let name = format!("h{j}");
             used.push(instance(&name, &format!("step.{variable}.{class}"), &with, &given));
             rest += &format!(" + ({})*[{name}]", symbols.write(&symbols.slope(&poly, &agent), "k"));
-            let rule = match self.family.topology {
-                Topology::Line => self.rules.get(&(class, variable.as_str())),
-                Topology::Ring => self.rules.get(&("all", variable.as_str())),
-            };
+            let class = if self.family.is_ring { "all" } else { class };
+            let rule = self.rules.get(&(class, variable.as_str()));
             let own = symbols.variable(Symbol::At(variable.clone(), *place));
             let next = rule.map_or(own, |rule| symbols.with(rule, &|s| self.wrapped(s, *place)));
             after.insert(agent, next);

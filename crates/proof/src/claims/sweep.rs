@@ -1,0 +1,201 @@
+//! The claims of a system tried from every start on a grid.
+//!
+//! The grid divides the range that each variable has in the start set into equal parts; of its points
+//! those are starts that meet the assumptions. From each of them every run is followed: whichever mode acts,
+//! and whatever varies at either end of its range.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use num_traits::{Signed, Zero};
+
+use super::bounds::greatest;
+use super::{PROOF, at};
+use cordon_core::linear::affine::Affine;
+use cordon_core::linear::feasible::{Constraint, Sign};
+use cordon_core::simplex::Work;
+use cordon_core::system::{Map, Parameter, Schedule, System};
+use cordon_core::{Error, Rational, Result};
+
+/// Most starts on a grid.
+pub const MOST_STARTS: usize = 100_000;
+
+/// Most states of all runs together.
+pub const MOST_STATES: u64 = 2_000_000;
+
+/// What fails from a start on the grid.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failure {
+    /// The constants.
+    pub values: Vec<Rational>,
+    /// The whole state at the start.
+    pub start: Vec<Rational>,
+    /// The step at which the claim fails.
+    pub step: usize,
+}
+
+/// What was tried.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Tried {
+    /// Starts on the grid.
+    pub starts: usize,
+    /// States of their runs, the same state at the same step of the same run once.
+    pub states: u64,
+    /// Of each claim that fails, by its place, where it does so at the smallest step.
+    pub failures: BTreeMap<usize, Failure>,
+}
+
+/// Tries every start on the grid with `parts` parts a variable, at these values of the constants, in
+/// steps 0 to `steps`.
+///
+/// # Errors
+/// The start set has no bound, or there are more starts or states than [`MOST_STARTS`], [`MOST_STATES`].
+pub fn on_grid(
+    system: &System,
+    constants: &[Vec<Rational>],
+    parts: u32,
+    steps: usize,
+) -> Result<Tried> {
+    let starts = starts(system, parts)?;
+    let mut tried = Tried { starts: starts.len(), states: 0, failures: BTreeMap::new() };
+    for values in constants {
+        let maps = maps(system, values);
+        for start in &starts {
+            let mut states = BTreeSet::from([start.clone()]);
+            for step in 0..=steps {
+                tried.states += states.len() as u64;
+                if tried.states > MOST_STATES {
+                    return Err(Error::input(format!(
+                        "grid: more than {MOST_STATES} states: expected a coarser grid, fewer steps or fewer \
+                         agents"
+                    )));
+                }
+                for (place, claim) in system.claims.iter().enumerate() {
+                    let earlier = |f: &Failure| f.step <= step;
+                    let known = tried.failures.get(&place).is_some_and(earlier);
+                    if claim.is_about(step)
+                        && !known
+                        && states.iter().any(|x| !claim.predicate.holds(x))
+                    {
+                        let failure = Failure { values: values.clone(), start: start.clone(), step };
+                        tried.failures.insert(place, failure);
+                    }
+                }
+                if step < steps {
+                    let acting = match &system.schedule {
+                        Schedule::Any => (0..maps.len()).collect(),
+                        Schedule::Cycle(list) => {
+                            list.get(step % list.len().max(1)).copied().into_iter().collect::<Vec<_>>()
+                        }
+                    };
+                    let acting = acting.iter().filter_map(|&m| maps.get(m)).flatten();
+                    states = acting.flat_map(|map| states.iter().map(|x| map.apply(x))).collect();
+                }
+            }
+        }
+    }
+    Ok(tried)
+}
+
+/// Of each mode its maps, one for each corner of what varies; those that are equal once.
+fn maps(system: &System, values: &[Rational]) -> Vec<Vec<Map>> {
+    let mut corners = vec![Vec::new()];
+    for p in &at(system, values) {
+        corners = corners
+            .iter()
+            .flat_map(|c: &Vec<Rational>| {
+                Parameter::ends(p).into_iter().map(|end| c.iter().cloned().chain([end]).collect())
+            })
+            .collect();
+        // More than can be followed: the limit of states ends that.
+        if corners.len() as u64 > MOST_STATES {
+            break;
+        }
+    }
+    let of = |mode: &cordon_core::system::Mode| {
+        let mut maps: Vec<Map> = Vec::new();
+        for corner in &corners {
+            let map = mode.at(corner);
+            if !maps.contains(&map) {
+                maps.push(map);
+            }
+        }
+        maps
+    };
+    system.modes.iter().map(of).collect()
+}
+
+/// The starts on the grid, whole states, in order.
+fn starts(system: &System, parts: u32) -> Result<Vec<Vec<Rational>>> {
+    let now = system.state.len() - system.past.len();
+    let constraints: Vec<Constraint> = system.starts.iter().map(|p| p.is.clone()).collect();
+    let work = Work::limited(PROOF.work);
+    let mut ranges = Vec::new();
+    for (v, name) in system.state.iter().take(now).enumerate() {
+        let form = Affine::variable(v);
+        let negated = Affine::constant(Rational::zero()) - &form;
+        let most = |form| greatest(form, &constraints, now, &work);
+        let (Some(high), Some(low)) = (most(&form), most(&negated)) else {
+            return Err(Error::input(format!(
+                "start: `{name}` has no bound: expected `start` in the file to bound every variable"
+            )));
+        };
+        ranges.push([-low, high]);
+    }
+    let mut search = Points { parts, ranges, constraints, chosen: Vec::new(), found: Vec::new() };
+    search.go()?;
+    Ok(search.found.iter().filter_map(|start| system.at_rest(start)).collect())
+}
+
+/// The points of the grid, one variable after the other.
+struct Points {
+    parts: u32,
+    ranges: Vec<[Rational; 2]>,
+    constraints: Vec<Constraint>,
+    chosen: Vec<Rational>,
+    found: Vec<Vec<Rational>>,
+}
+
+impl Points {
+    fn go(&mut self) -> Result<()> {
+        if !self.constraints.iter().all(|c| self.may_meet(c)) {
+            return Ok(());
+        }
+        let Some([low, high]) = self.ranges.get(self.chosen.len()).cloned() else {
+            if self.found.len() >= MOST_STARTS {
+                return Err(Error::input(format!(
+                    "grid: more than {MOST_STARTS} starts: expected a coarser grid or fewer agents"
+                )));
+            }
+            self.found.push(self.chosen.clone());
+            return Ok(());
+        };
+        let parts = if low == high { 0 } else { self.parts };
+        for k in 0..=parts {
+            let share = Rational::new(k.into(), parts.max(1).into());
+            self.chosen.push(&low + (&high - &low) * share);
+            self.go()?;
+            self.chosen.pop();
+        }
+        Ok(())
+    }
+
+    /// Whether the variables that are open can make up for those that are chosen.
+    fn may_meet(&self, c: &Constraint) -> bool {
+        let Some((constant, coefficients)) = c.form.parts() else { return false };
+        let (mut least, mut most) = (constant.clone(), constant.clone());
+        for (j, a) in coefficients.iter().enumerate().filter(|(_, a)| !a.is_zero()) {
+            match (self.chosen.get(j), self.ranges.get(j)) {
+                (Some(x), _) => (least, most) = (least + a * x, most + a * x),
+                (None, Some([low, high])) => {
+                    let (low, high) = if a.is_negative() { (high, low) } else { (low, high) };
+                    (least, most) = (least + a * low, most + a * high);
+                }
+                (None, None) => return false,
+            }
+        }
+        match c.sign {
+            Sign::Zero => !least.is_positive() && !most.is_negative(),
+            sign => sign.met_by(&most),
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! The claims of a protocol of one's own, from every start on a grid or from all.
+
+use std::io::Write;
+
+use serde_json::{Value, json};
+
+use super::ProtocolArgs;
+use super::refute::{as_json, constants_of, replay_line};
+use super::show::{constants_text, head, headline};
+use crate::cli::select::OutputFormat;
+use cordon_core::system::System;
+use cordon_core::{Error, Evidence, Outcome, Result};
+use cordon_proof::claims::sweep::{Tried, on_grid};
+use cordon_proof::claims::{self, Run};
+
+/// From which starts, at which constants and up to which step.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent {
+    /// Parts into which the range of each variable is divided; none for all real starts.
+    pub grid: Option<u32>,
+    /// Of a range of constants, the fractions with denominators up to this.
+    pub denominators: u32,
+    /// Last step.
+    pub steps: usize,
+}
+
+/// What is known of a claim as written.
+struct Row<'s> {
+    text: &'s str,
+    run: Option<Run>,
+    /// Up to which step no run fails.
+    steps: usize,
+}
+
+/// Tries each claim from every start on a grid, or decides it for all real starts.
+///
+/// # Errors
+/// There are no claims, the start set has no bounds, or there is too much to try.
+pub fn sweep(
+    args: &ProtocolArgs,
+    system: &System,
+    extent: Extent,
+    format: OutputFormat,
+    out: &mut dyn Write,
+) -> Result<Outcome> {
+    if system.claims.is_empty() {
+        return Err(Error::input("claims: none in the protocol file: expected `claims`"));
+    }
+    let constants = constants_of(system, extent.denominators)?;
+    let text = format == OutputFormat::Text;
+    if text {
+        writeln!(out, "{}", headline(system))?;
+        out.flush()?;
+    }
+    let tried = match extent.grid {
+        Some(parts) => Some(on_grid(system, &constants, parts, extent.steps)?),
+        None => None,
+    };
+    let mut rows = Vec::new();
+    for (text, places) in system.written_claims() {
+        let mut one = system.clone();
+        one.claims = places.iter().filter_map(|&j| system.claims.get(j).cloned()).collect();
+        let (run, steps) = match &tried {
+            Some(tried) => (first_failure(&one, tried, &places), extent.steps),
+            None => claims::refute(&one, &constants, None, extent.steps),
+        };
+        // The run's claim by its place among all.
+        let run = run.map(|run| Run { claim: places.get(run.claim).copied().unwrap_or(0), ..run });
+        rows.push(Row { text, run, steps });
+    }
+    let from = match &tried {
+        Some(tried) => {
+            let starts = if tried.starts == 1 { "start" } else { "starts" };
+            format!("{}, {} {starts}", Evidence::ExhaustiveOnGrid, tried.starts)
+        }
+        None => Evidence::CompleteForAllStarts.to_string(),
+    };
+    let at = match constants.as_slice() {
+        [one] => constants_text(system, one),
+        many => format!(" at {} combinations of constants", many.len()),
+    };
+    if text {
+        for (row, number) in rows.iter().zip(1..) {
+            match &row.run {
+                Some(run) => {
+                    let text = system.claims.get(run.claim).map_or("", |c| &c.predicate.text);
+                    writeln!(
+                        out,
+                        "  claim {number}, `{}`, fails{}: `{text}` at step {}",
+                        row.text,
+                        constants_text(system, &run.values),
+                        run.step
+                    )?;
+                    writeln!(out, "    replay: {}", replay_line(args, system, run))?;
+                }
+                None => writeln!(
+                    out,
+                    "  claim {number}, `{}`, holds up to step {}{at} ({from})",
+                    row.text, row.steps
+                )?,
+            }
+        }
+        if rows.iter().any(|r| r.run.is_none() && r.steps < extent.steps) {
+            writeln!(out, "  (the search was too large to go on to step {})", extent.steps)?;
+        }
+    } else {
+        let evidence = match tried {
+            Some(_) => Evidence::ExhaustiveOnGrid,
+            None => Evidence::CompleteForAllStarts,
+        };
+        let row = |row: &Row<'_>| -> Value {
+            json!({
+                "claim": row.text,
+                "holds": row.run.is_none(),
+                "steps": row.run.as_ref().map_or(row.steps, |run| run.step),
+                "evidence": if row.run.is_some() { Evidence::ThisRunOnly } else { evidence },
+                "counterexample": row.run.as_ref().map(|run| as_json(args, system, run)),
+            })
+        };
+        let mut page = head(system);
+        page.insert(
+            "sweep",
+            json!({
+                "starts": tried.as_ref().map(|t| t.starts),
+                "grid": extent.grid,
+                "steps": extent.steps,
+                "constants": constants.len(),
+                "claims": rows.iter().map(row).collect::<Vec<_>>(),
+            }),
+        );
+        writeln!(out, "{:#}", json!(page))?;
+    }
+    let ended = |row: &Row<'_>| match &row.run {
+        Some(_) => Outcome::Refuted,
+        None if row.steps < extent.steps => Outcome::Inconclusive,
+        None => Outcome::Holds,
+    };
+    Ok(rows.iter().map(ended).fold(Outcome::Holds, Outcome::worst))
+}
+
+/// The run in which the first of some claims fails.
+fn first_failure(system: &System, tried: &Tried, places: &[usize]) -> Option<Run> {
+    let failures = places.iter().filter_map(|place| tried.failures.get(place));
+    let first = failures.min_by_key(|f| f.step)?;
+    claims::refute(system, std::slice::from_ref(&first.values), Some(&first.start), first.step).0
+}

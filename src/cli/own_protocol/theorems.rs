@@ -1,0 +1,216 @@
+//! The claims of a protocol of one's own, and what is known of each.
+
+use std::io::Write;
+
+use serde_json::{Value, json};
+
+use super::refute::{Search, as_json, constants_of, replay_line};
+use super::show::{constants_text, head, headline};
+use super::{ProtocolArgs, prove};
+use crate::cli::select::OutputFormat;
+use cordon_core::system::{Claim, Convergence, System};
+use cordon_core::{Evidence, Outcome, Result};
+use cordon_proof::claims::{self, Run, converge};
+use cordon_run::protocol::ProtocolFile;
+
+/// What is known of a claim.
+enum Known {
+    /// A certificate for every number of agents from 3 on.
+    EveryNumber,
+    /// A certificate for this number.
+    Certified,
+    /// It fails in a run.
+    Fails(Box<Run>),
+    /// A certificate that it fails.
+    CertifiedFailure,
+    /// Neither; no counterexample up to that step.
+    Open(Option<usize>),
+}
+
+impl Known {
+    fn outcome(&self) -> Outcome {
+        match self {
+            Self::EveryNumber | Self::Certified => Outcome::Holds,
+            Self::Fails(_) | Self::CertifiedFailure => Outcome::Refuted,
+            Self::Open(_) => Outcome::Inconclusive,
+        }
+    }
+}
+
+/// Lists what is assumed and claimed; with `check` also what is known of each claim.
+///
+/// # Errors
+/// The checker rejects what was found, or there are too many constants to try.
+pub fn theorems(
+    args: &ProtocolArgs,
+    file: &ProtocolFile,
+    system: &System,
+    check: bool,
+    format: OutputFormat,
+    out: &mut dyn Write,
+) -> Result<Outcome> {
+    let text = format == OutputFormat::Text;
+    let starts = system.written_starts();
+    if text {
+        writeln!(out, "{}", headline(system))?;
+        for start in &starts {
+            writeln!(out, "  if      {start}")?;
+        }
+        out.flush()?;
+    }
+    let known = if check { Some(known(args, file, system)?) } else { None };
+    let mut rows: Vec<(String, String)> = Vec::new();
+    for (claim, places) in system.written_claims() {
+        let first = places.first().and_then(|&j| system.claims.get(j));
+        rows.push((claim.to_owned(), first.map_or_else(String::new, when)));
+    }
+    if let Some(to) = &system.converges {
+        let claim = match to {
+            Convergence::Agreement => "the agents agree in the end",
+            Convergence::To(_) => "every variable tends to its target",
+        };
+        rows.push((claim.to_owned(), String::new()));
+    }
+    let of = |place: usize| known.as_ref().and_then(|known| known.get(place));
+    if text {
+        for (place, (claim, about)) in rows.iter().enumerate() {
+            writeln!(out, "  claim {}  {claim}{about}", place + 1)?;
+            if let Some(known) = of(place) {
+                known_text(args, system, known, out)?;
+            }
+        }
+    } else {
+        let row = |(place, (claim, about)): (usize, &(String, String))| -> Value {
+            json!({
+                "claim": claim,
+                "when": about.trim_start_matches(", "),
+                "known": of(place).map(|known| known_json(args, system, known)),
+            })
+        };
+        let mut page = head(system);
+        page.insert("starts", json!(starts));
+        page.insert("theorems", rows.iter().enumerate().map(row).collect::<Vec<_>>().into());
+        writeln!(out, "{:#}", json!(page))?;
+    }
+    let outcomes = known.iter().flatten().map(Known::outcome);
+    Ok(outcomes.fold(Outcome::Holds, Outcome::worst))
+}
+
+/// `, from step 3`, `, until step 9`.
+fn when(claim: &Claim) -> String {
+    let from = if claim.from > 0 { format!(", from step {}", claim.from) } else { String::new() };
+    let until = claim.until.map_or_else(String::new, |last| format!(", until step {last}"));
+    from + &until
+}
+
+/// What is known of each claim as written, and last of convergence.
+fn known(args: &ProtocolArgs, file: &ProtocolFile, system: &System) -> Result<Vec<Known>> {
+    let written = system.written_claims();
+    let mut all = Vec::new();
+    let for_every = match args.family(file)? {
+        Some(family) if !written.is_empty() => prove::every_number(args, family, None)?.proved,
+        _ => false,
+    };
+    // What is proved of N >= 3 leaves smaller numbers.
+    let together = || -> Result<bool> {
+        match claims::prove_within(system, &claims::PROOF) {
+            Ok(found) => Ok(prove::certified(&found)?.is_ok()),
+            Err(_) => Ok(false),
+        }
+    };
+    if for_every && system.agents >= 3 {
+        all.extend(written.iter().map(|_| Known::EveryNumber));
+    } else if !written.is_empty() && together()? {
+        all.extend(written.iter().map(|_| Known::Certified));
+    } else {
+        for (_, places) in &written {
+            let mut one = system.clone();
+            one.claims = places.iter().filter_map(|&j| system.claims.get(j).cloned()).collect();
+            let proved = match claims::prove_within(&one, &claims::PROOF) {
+                Ok(found) => prove::certified(&found)?.is_ok(),
+                Err(_) => false,
+            };
+            if proved {
+                all.push(Known::Certified);
+                continue;
+            }
+            let search = Search::default();
+            let constants = constants_of(&one, search.denominators)?;
+            all.push(match claims::refute(&one, &constants, None, search.steps) {
+                (Some(run), _) => {
+                    let claim = places.get(run.claim).copied().unwrap_or(0);
+                    Known::Fails(Box::new(Run { claim, ..run }))
+                }
+                (None, complete) => Known::Open(Some(complete)),
+            });
+        }
+    }
+    if system.converges.is_some() {
+        all.push(if converge::contraction(system)?.is_some() {
+            Known::Certified
+        } else if converge::grows(system)?.is_some() {
+            Known::CertifiedFailure
+        } else {
+            Known::Open(None)
+        });
+    }
+    Ok(all)
+}
+
+fn known_text(
+    args: &ProtocolArgs,
+    system: &System,
+    known: &Known,
+    out: &mut dyn Write,
+) -> Result<()> {
+    match known {
+        Known::EveryNumber => {
+            writeln!(out, "           {} for every number of agents from 3 on", Evidence::Certified)?;
+        }
+        Known::Certified => writeln!(
+            out,
+            "           {} for {} agent{}",
+            Evidence::Certified,
+            system.agents,
+            if system.agents == 1 { "" } else { "s" }
+        )?,
+        Known::Fails(run) => {
+            writeln!(
+                out,
+                "           fails{} at step {} ({}, exact)",
+                constants_text(system, &run.values),
+                run.step,
+                Evidence::ThisRunOnly
+            )?;
+            writeln!(out, "           replay: {}", replay_line(args, system, run))?;
+        }
+        Known::CertifiedFailure => {
+            writeln!(out, "           fails ({}: `cordon prove` has the start)", Evidence::Certified)?;
+        }
+        Known::Open(Some(steps)) => writeln!(
+            out,
+            "           open; no counterexample up to step {steps} ({})",
+            Evidence::CompleteForAllStarts
+        )?,
+        Known::Open(None) => writeln!(out, "           open")?,
+    }
+    Ok(())
+}
+
+fn known_json(args: &ProtocolArgs, system: &System, known: &Known) -> Value {
+    match known {
+        Known::EveryNumber => {
+            json!({ "holds": true, "evidence": Evidence::Certified, "agents": "every number from 3 on" })
+        }
+        Known::Certified => {
+            json!({ "holds": true, "evidence": Evidence::Certified, "agents": system.agents.to_string() })
+        }
+        Known::Fails(run) => json!({
+            "holds": false,
+            "evidence": Evidence::ThisRunOnly,
+            "counterexample": as_json(args, system, run),
+        }),
+        Known::CertifiedFailure => json!({ "holds": false, "evidence": Evidence::Certified }),
+        Known::Open(steps) => json!({ "holds": Value::Null, "steps": steps }),
+    }
+}

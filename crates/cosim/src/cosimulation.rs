@@ -10,6 +10,8 @@ use num_traits::Signed;
 use super::control::{self, Control, Gains};
 use super::coordination::{Coordination, Exchange, Law, OnLoss, OwnLaw, Settings, Slot};
 use super::faults;
+#[cfg(feature = "package")]
+use super::fmi::carried::Carried;
 use super::grid::Grid;
 use super::master::{Algorithm, Master};
 use super::own_flight;
@@ -266,6 +268,15 @@ impl Cosimulation {
     pub(super) fn exact_coordination(&self, drone: usize) -> Coordination {
         let settings = self.settings(drone, Exchange::Exact);
         Coordination::new(Seat::coordination(drone).name(), settings)
+    }
+
+    /// The coordination unit of a drone of a protocol file, as it is exported: its parameters say
+    /// whose it is. `None` of the program's own protocols.
+    #[cfg(feature = "package")]
+    pub(crate) fn open_coordination(&self, drone: usize) -> Option<Coordination> {
+        let carried = Carried::of(&self.scenario)?;
+        let settings = carried.settings(drone, self.exchange, self.on_loss);
+        Some(Coordination::new(Seat::coordination(drone).name(), settings))
     }
 
     /// A variable of a drone's coordination unit.

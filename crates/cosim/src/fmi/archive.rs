@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use zip::ZipArchive;
 
+use super::carried::{self, Carried};
 use super::interface::{FmiVersion, Model};
 use super::model_description::{FmuVariable, ModelDescription};
 use super::package::platform;
@@ -18,6 +19,8 @@ pub struct Fmu {
     pub path: PathBuf,
     /// What its model description says.
     description: ModelDescription,
+    /// The model of this program that it was exported from.
+    model: Option<Model>,
     /// Platforms that it has binaries for.
     platforms: Vec<String>,
     /// Paths of all its files.
@@ -35,23 +38,22 @@ impl Fmu {
         let fail = |what: String| Error::input(format!("`{}`: {what}", path.display()));
         let mut archive = opened(path)?;
         let files: Vec<String> = archive.file_names().map(str::to_owned).collect();
-        let description = archive
-            .by_name("modelDescription.xml")
-            .map_err(|e| fail(format!("expected an FMU with a `modelDescription.xml`: {e}")))?;
-        let mut text = String::new();
-        description
-            .take(LARGEST_DESCRIPTION + 1)
-            .read_to_string(&mut text)
-            .map_err(|e| fail(format!("its `modelDescription.xml` cannot be read: {e}")))?;
-        if u64::try_from(text.len()).is_ok_and(|length| length > LARGEST_DESCRIPTION) {
-            return Err(fail(format!(
-                "its `modelDescription.xml` is too large: expected at most {LARGEST_DESCRIPTION} bytes"
-            )));
-        }
-        Self::from_description(path, &text, files).map_err(fail)
+        let text = entry(&mut archive, "modelDescription.xml", "an FMU").map_err(fail)?;
+        Self::from_description(path, &text, files, || {
+            let [scenario, protocol] = [carried::SCENARIO, carried::PROTOCOL].map(|name| {
+                entry(&mut archive, &format!("resources/{name}"), "a protocol's FMU").map_err(fail)
+            });
+            Carried::parse(&path.join("resources"), &scenario?, protocol?)
+        })
     }
 
-    fn from_description(path: &Path, text: &str, files: Vec<String>) -> Result<Self, String> {
+    fn from_description(
+        path: &Path,
+        text: &str,
+        files: Vec<String>,
+        carried: impl FnOnce() -> Result<Carried>,
+    ) -> Result<Self> {
+        let fail = |what: String| Error::input(format!("`{}`: {what}", path.display()));
         let mut platforms: Vec<String> = files
             .iter()
             .filter_map(|f| f.strip_prefix("binaries/")?.split_once('/'))
@@ -59,14 +61,14 @@ impl Fmu {
             .collect();
         platforms.sort();
         platforms.dedup();
-        let description = ModelDescription::read(text)?;
-        Ok(Self { path: path.to_owned(), description, platforms, files })
+        let description = ModelDescription::read(text).map_err(fail)?;
+        let model = Model::of_token(description.version, &description.token, carried)?;
+        Ok(Self { path: path.to_owned(), description, model, platforms, files })
     }
 
     /// The model of this program that the FMU was exported from.
-    pub fn model(&self) -> Option<Model> {
-        let ModelDescription { version, token, .. } = &self.description;
-        Model::ALL.into_iter().find(|m| m.token(*version) == *token)
+    pub fn model(&self) -> Option<&Model> {
+        self.model.as_ref()
     }
 
     /// Version of the standard.
@@ -108,8 +110,8 @@ impl Fmu {
     }
 }
 
-/// Most bytes of a model description: hundreds of thousands of variables.
-const LARGEST_DESCRIPTION: u64 = 1 << 26;
+/// Most bytes of a text: a model description of hundreds of thousands of variables.
+const LARGEST_TEXT: u64 = 1 << 26;
 
 /// Most bytes of all files of an archive, unpacked.
 const LARGEST_CONTENT: u64 = 1 << 30;
@@ -118,7 +120,7 @@ const LARGEST_CONTENT: u64 = 1 << 30;
 const MOST_FILES: usize = 100_000;
 
 /// Opens an archive, which has to be within the limits.
-fn opened(path: &Path) -> Result<ZipArchive<BufReader<File>>> {
+pub(crate) fn opened(path: &Path) -> Result<ZipArchive<BufReader<File>>> {
     let fail = |what: String| Error::input(format!("`{}`: {what}", path.display()));
     let file = File::open(path).map_err(|e| Error::file("read", path, e))?;
     files::is_input(path);
@@ -135,6 +137,25 @@ fn opened(path: &Path) -> Result<ZipArchive<BufReader<File>>> {
         }
         _ => Ok(archive),
     }
+}
+
+/// A text of an archive, by its path inside. `what` is what has such a file, for messages.
+pub(crate) fn entry(
+    archive: &mut ZipArchive<BufReader<File>>,
+    name: &str,
+    what: &str,
+) -> Result<String, String> {
+    let entry = archive.by_name(name);
+    let entry = entry.map_err(|e| format!("expected {what} with a `{name}`: {e}"))?;
+    let mut text = String::new();
+    entry
+        .take(LARGEST_TEXT + 1)
+        .read_to_string(&mut text)
+        .map_err(|e| format!("its `{name}` cannot be read: {e}"))?;
+    if u64::try_from(text.len()).is_ok_and(|length| length > LARGEST_TEXT) {
+        return Err(format!("its `{name}` is too large: expected at most {LARGEST_TEXT} bytes"));
+    }
+    Ok(text)
 }
 
 #[cfg(feature = "fmi-import")]
@@ -188,15 +209,26 @@ mod tests {
 
     use super::*;
     use crate::fmi::description::model_description;
+    use crate::fmi::interface::Positions;
+    use cordon_run::scenario::parse;
 
     #[test]
     fn reads_back_every_model_description() {
         let mut compared = 0;
-        for model in Model::ALL {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/own/platoon.toml");
+        let text = format!("protocol = '{file}'\nstart = [0, 0, 0.25, 0, 0, 0, 0, 0, 0, 0]");
+        let own = parse("test", &text).unwrap().finish().unwrap();
+        let carried = Carried::of(&own).unwrap();
+        let own = Model::coordination(Positions::Double, &own).unwrap();
+        for model in Model::PLAIN.into_iter().chain([own]) {
             for version in [FmiVersion::V2, FmiVersion::V3] {
-                let text = String::from_utf8(model_description(model, version).unwrap()).unwrap();
-                let fmu = Fmu::from_description(Path::new("x.fmu"), &text, Vec::new()).unwrap();
-                assert_eq!((fmu.version(), fmu.model()), (version, Some(model)));
+                let text = String::from_utf8(model_description(&model, version).unwrap()).unwrap();
+                let [(_, scenario), (_, protocol)] = carried.files();
+                let carried = || Carried::parse(Path::new("resources"), &scenario, protocol);
+                let path = Path::new("x.fmu");
+                let fmu = Fmu::from_description(path, &text, Vec::new(), carried).unwrap();
+                assert_eq!(fmu.version(), version);
+                assert_eq!(fmu.model().map(Model::identifier), Some(model.identifier()));
                 assert_eq!(fmu.description.model_name, model.identifier());
                 for (place, v) in model.variables().iter().enumerate() {
                     let read = fmu.variable(&v.name).unwrap();
@@ -208,6 +240,6 @@ mod tests {
                 assert_eq!(fmu.description.variables.len(), model.variables().len() + time);
             }
         }
-        assert_eq!(compared, 2 * (14 + 13 + 13 + 32 + 30));
+        assert_eq!(compared, 2 * (14 + 13 + 13 + 32 + 30 + 18));
     }
 }

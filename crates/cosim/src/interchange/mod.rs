@@ -12,7 +12,7 @@ use crate::unit::{Causality, Unit, Value};
 use crate::wiring::Port;
 use cordon_core::exact::Rational;
 use cordon_core::{Error, Result};
-use cordon_run::scenario::{Protocol, UnitName};
+use cordon_run::scenario::UnitName;
 
 /// Instances of exported units and what is connected with what.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,19 +54,31 @@ impl Assembly {
     /// The co-simulation of a swarm.
     ///
     /// # Errors
-    /// It has what other tools' masters do not: another protocol than coverage, faults, a
+    /// It has what other tools' masters do not: consensus or formation, faults, a
     /// Gauss-Seidel master.
     pub fn of(swarm: &Cosimulation) -> Result<Self> {
         expect_plain(swarm)?;
+        let coordination = Model::coordination(swarm.exchange.into(), &swarm.scenario);
+        let coordination = coordination.ok_or_else(|| {
+            let name = swarm.scenario.protocol.name();
+            Error::input(format!(
+                "protocol: `{name}`: expected `coverage` or a protocol file: there is no FMU of another \
+                 coordination unit"
+            ))
+        })?;
         let wiring = swarm.wiring()?;
         let mut instances = Vec::with_capacity(wiring.units().len());
         for (seat, unit) in Seat::all(swarm.count()).zip(wiring.units()) {
             let model = match seat.unit {
-                UnitName::Coordination => Model::Coordination(swarm.exchange.into()),
+                UnitName::Coordination => coordination.clone(),
                 UnitName::Control => Model::Control,
                 UnitName::Plant => Model::Plant,
             };
-            let mut settings = parameters(model, unit.as_ref())?;
+            // Whose unit an own protocol's is, its parameters say.
+            let mut settings = match swarm.open_coordination(seat.drone) {
+                Some(open) if seat.unit == UnitName::Coordination => parameters(&model, &open)?,
+                _ => parameters(&model, unit.as_ref())?,
+            };
             if *swarm.grid.tau() != default_tau() {
                 settings.push((TAU.to_owned(), model.tau_value(swarm.grid.tau())));
             }
@@ -100,12 +112,9 @@ impl Assembly {
         })
     }
 
-    /// The models that it has instances of, each once, in order.
-    pub fn models(&self) -> Vec<Model> {
-        let mut models: Vec<Model> = self.instances.iter().map(|i| i.model).collect();
-        models.sort_unstable();
-        models.dedup();
-        models
+    /// The models that it has instances of, each once, in the order of a drone's units.
+    pub fn models(&self) -> Vec<&Model> {
+        self.instances.iter().take(UnitName::ALL.len()).map(|i| &i.model).collect()
     }
 
     /// The end of the run in seconds.
@@ -116,7 +125,7 @@ impl Assembly {
     /// The position whose run is of interest: the output of an instance, or none.
     pub fn position_of(instance: &Instance) -> Option<&'static str> {
         match instance.model {
-            Model::Coordination(_) => Some("x_d"),
+            Model::Coordination(_) | Model::Protocol(..) => Some("x_d"),
             Model::Plant => Some("x"),
             Model::Control => None,
         }
@@ -124,13 +133,6 @@ impl Assembly {
 }
 
 fn expect_plain(swarm: &Cosimulation) -> Result<()> {
-    let protocol = &swarm.scenario.protocol;
-    if !matches!(protocol, Protocol::Coverage { .. }) {
-        return Err(Error::input(format!(
-            "protocol: `{}`: expected `coverage`, the protocol of the exported coordination unit",
-            protocol.name()
-        )));
-    }
     if swarm.algorithm != Algorithm::Jacobi {
         return Err(Error::input(format!(
             "master: `{}`: expected `jacobi`, the order of steps that other tools have",
@@ -160,7 +162,7 @@ fn expect_plain(swarm: &Cosimulation) -> Result<()> {
 }
 
 /// The parameters that differ from the model's start values.
-fn parameters(model: Model, unit: &dyn Unit) -> Result<Vec<(String, Value)>> {
+fn parameters(model: &Model, unit: &dyn Unit) -> Result<Vec<(String, Value)>> {
     let mut changed = Vec::new();
     for (place, (variable, start)) in unit.variables().iter().zip(model.variables()).enumerate() {
         if variable.causality != Causality::Parameter {

@@ -75,7 +75,7 @@ fn parameters(assembly: &Assembly) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-fn source(model: Model) -> String {
+fn source(model: &Model) -> String {
     format!("resources/{}.fmu", model.identifier())
 }
 
@@ -150,7 +150,7 @@ fn component(
     xml.create_element("ssd:Component")
         .with_attribute(("name", name))
         .with_attribute(("type", "application/x-fmu-sharedlibrary"))
-        .with_attribute(("source", source(instance.model).as_str()))
+        .with_attribute(("source", source(&instance.model).as_str()))
         .with_attribute(("implementation", "CoSimulation"))
         .write_inner_content(|xml| {
             xml.create_element("ssd:Connectors").write_inner_content(|xml| {

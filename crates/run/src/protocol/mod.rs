@@ -129,6 +129,11 @@ impl ProtocolFile {
         self.document.variables(&Source { name: &self.name, text: &self.text })
     }
 
+    /// What the file says.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
     /// Whether the file leaves the number of agents open.
     pub fn is_family(&self) -> bool {
         matches!(self.agents, Agents::From(_))

@@ -16,6 +16,7 @@ use serde_json::Value as Json;
 use super::MultiModel;
 use super::locate::{self, Found};
 use super::ports::{Instance, Port, Ports};
+use crate::coordination::OwnLaw;
 use crate::cosimulation::Cosimulation;
 use crate::fmi::archive::Fmu;
 use crate::fmi::interface::{Model, Positions, TAU};
@@ -90,12 +91,12 @@ impl Reader<'_> {
         Ok(draft)
     }
 
-    fn model_of(&self, instance: &Instance) -> Option<Model> {
+    fn model_of(&self, instance: &Instance) -> Option<&Model> {
         self.fmus.get(&instance.fmu).and_then(Fmu::model)
     }
 
     /// The value of a variable: as set, or the model's start value.
-    fn value(&self, instance: &Instance, model: Model, variable: &str) -> Result<String> {
+    fn value(&self, instance: &Instance, model: &Model, variable: &str) -> Result<String> {
         let set = self.ports.settings.get(instance).and_then(|s| s.get(variable));
         match set {
             Some(Json::String(text)) => Ok(text.clone()),
@@ -114,14 +115,14 @@ impl Reader<'_> {
         }
     }
 
-    fn number(&self, instance: &Instance, model: Model, variable: &str) -> Result<Rational> {
+    fn number(&self, instance: &Instance, model: &Model, variable: &str) -> Result<Rational> {
         exact::parse(&format!("{instance}.{variable}"), &self.value(instance, model, variable)?)
     }
 
     fn whole<T: std::str::FromStr>(
         &self,
         instance: &Instance,
-        model: Model,
+        model: &Model,
         variable: &str,
     ) -> Result<T> {
         let text = self.value(instance, model, variable)?;
@@ -134,7 +135,7 @@ impl Reader<'_> {
     fn drones(&self) -> Result<Vec<Drone>> {
         let mut by_id = BTreeMap::new();
         for instance in self.ports.settings.keys() {
-            if let Some(model @ Model::Coordination(_)) = self.model_of(instance) {
+            if let Some(model) = self.model_of(instance).filter(|m| m.positions().is_some()) {
                 let id: usize = self.whole(instance, model, "id")?;
                 if let Some(other) = by_id.insert(id, (instance.clone(), model)) {
                     return Err(Error::input(format!(
@@ -147,7 +148,10 @@ impl Reader<'_> {
         let count = by_id.len();
         let mut drones = Vec::with_capacity(count);
         for (place, (id, (coordination, model))) in by_id.into_iter().enumerate() {
-            let said: usize = self.whole(&coordination, model, "count")?;
+            let said: usize = match model {
+                Model::Protocol(_, carried) => carried.own.system.agents,
+                _ => self.whole(&coordination, model, "count")?,
+            };
             if id != place || said != count {
                 return Err(Error::input(format!(
                     "{coordination}: drone {id} of {said}: expected drone {place} of {count}, \
@@ -164,10 +168,10 @@ impl Reader<'_> {
         Ok(drones)
     }
 
-    fn drone(&self, coordination: Instance, model: Model) -> Result<Drone> {
+    fn drone(&self, coordination: Instance, model: &Model) -> Result<Drone> {
         let others = |from: &Instance, variable: Option<&str>| {
             let mut targets = self.ports.targets(from, variable);
-            targets.retain(|t| !matches!(self.model_of(t), Some(Model::Coordination(_))));
+            targets.retain(|t| self.model_of(t).is_none_or(|m| m.positions().is_none()));
             targets
         };
         let one = |what: &str, from: &Instance, found: BTreeSet<Instance>| {
@@ -183,9 +187,10 @@ impl Reader<'_> {
         let control = one("controller", &coordination, others(&coordination, Some("x_d")))?;
         let plant = one("plant", &control, others(&control, None))?;
         let models = [Some(model), self.model_of(&control), self.model_of(&plant)];
+        let models = models.map(Option::<&Model>::cloned);
         let expected = [(1, Model::Control, &control), (2, Model::Plant, &plant)];
         for (place, wanted, instance) in expected {
-            if models[place].is_some_and(|m| m != wanted) {
+            if models[place].as_ref().is_some_and(|m| *m != wanted) {
                 return Err(Error::input(format!(
                     "{instance}: expected `{}` here, or an FMU of another tool",
                     wanted.identifier()
@@ -202,28 +207,39 @@ impl Reader<'_> {
         let mut common = None;
         for drone in drones {
             let [coordination, _, plant] = &drone.units;
-            let Some(model @ Model::Coordination(positions)) = drone.models[0] else { continue };
+            let Some(model) = &drone.models[0] else { continue };
+            let Some(positions) = model.positions() else { continue };
             if positions == Positions::SixDigits {
                 return Err(Error::input(format!(
                     "{coordination}: expected exact positions or doubles: the arithmetic of the \
                      recorded runs needs a scenario file and `--compat recorded`"
                 )));
             }
-            start.push(self.number(coordination, model, "start")?);
-            let number = |variable| self.number(coordination, model, variable);
+            let number = |variable: &str| self.number(coordination, model, variable);
+            let of_others = match model {
+                Model::Protocol(_, carried) => {
+                    let law = OwnLaw::open(&carried.own, &[], 0);
+                    for v in 0..law.variables.len() {
+                        start.push(number(&law.named("start", v))?);
+                    }
+                    let names = carried.own.constants().map(|(p, _)| p.name.clone());
+                    let value = |name: String| Ok((number(&format!("parameters.{name}"))?, name));
+                    names.map(value).collect::<Result<Vec<_>>>()?
+                }
+                _ => {
+                    start.push(number("start")?);
+                    let value = |name: &str| Ok((number(name)?, name.to_owned()));
+                    ["min", "max", "weight"].into_iter().map(value).collect::<Result<_>>()?
+                }
+            };
             let period: u32 = self.whole(coordination, model, "period")?;
             let is_last = match positions {
                 Positions::Exact => self.value(coordination, model, "first_update")? == "last",
                 _ => self.value(coordination, model, "update_last")? == "true",
             };
             let phase = if is_last { Phase::Last } else { Phase::First };
-            let shared = (
-                [number("min")?, number("max")?, number("weight")?, number(TAU)?],
-                period,
-                phase,
-                self.value(coordination, model, "skip_lost")?,
-                positions,
-            );
+            let skip = self.value(coordination, model, "skip_lost")?;
+            let shared = (of_others, number(TAU)?, period, phase, skip, model);
             match &common {
                 Some(known) if *known != shared => {
                     return Err(Error::input(format!(
@@ -232,19 +248,18 @@ impl Reader<'_> {
                 }
                 _ => common = Some(shared),
             }
-            actual.push(match drone.models[2] {
+            actual.push(match &drone.models[2] {
                 Some(model) => self.number(plant, model, "x0")?,
-                None => start.last().cloned().unwrap_or_default(),
+                None => number("start")?,
             });
         }
-        let Some(([min, max, weight, tau], period, phase, skip, positions)) = common else {
+        let Some((parameters, tau, period, phase, skip, model)) = common else {
             return Err(Error::internal("a swarm was read that has no drones"));
         };
+        let is_exact = model.positions() == Some(Positions::Exact);
         let mut flight = Flight {
             start: Some(actual),
-            exchange: Some(
-                if positions == Positions::Exact { "exact" } else { "double" }.to_owned(),
-            ),
+            exchange: Some(if is_exact { "exact" } else { "double" }.to_owned()),
             on_loss: Some(if skip == "true" { "skip" } else { "hold" }.to_owned()),
             duration: Some(self.duration(&tau)?),
             ..Flight::default()
@@ -257,16 +272,29 @@ impl Reader<'_> {
         if let Some((plant, model)) = first(drones, 2) {
             flight.integrator = Some(self.value(plant, model, "integrator")?);
         }
-        Ok(Draft {
-            min: Some(min),
-            max: Some(max),
+        let draft = Draft {
             start: Some(Start::Listed(start)),
-            weight: Some(weight),
             period: Some(period),
             phase: Some(phase),
             tau: Some(tau),
             flight,
             ..Draft::default()
+        };
+        let mut parameters: BTreeMap<_, _> =
+            parameters.into_iter().map(|(value, name)| (name, value)).collect();
+        Ok(match model {
+            Model::Protocol(_, carried) => Draft {
+                protocol: Some(carried.own.file.clone()),
+                protocol_text: Some(carried.own.text.clone()),
+                parameters,
+                ..draft
+            },
+            _ => Draft {
+                min: parameters.remove("min"),
+                max: parameters.remove("max"),
+                weight: parameters.remove("weight"),
+                ..draft
+            },
         })
     }
 
@@ -383,14 +411,14 @@ impl Reader<'_> {
 }
 
 /// The first instance at a place of a drone that is a unit of this program.
-fn first(drones: &[Drone], place: usize) -> Option<(&Instance, Model)> {
-    drones.iter().find_map(|d| Some((d.units.get(place)?, (*d.models.get(place)?)?)))
+fn first(drones: &[Drone], place: usize) -> Option<(&Instance, &Model)> {
+    drones.iter().find_map(|d| Some((d.units.get(place)?, d.models.get(place)?.as_ref()?)))
 }
 
-fn unit_at(drones: &[Drone], seat: Seat) -> Option<(&Instance, Option<Model>)> {
+fn unit_at(drones: &[Drone], seat: Seat) -> Option<(&Instance, Option<&Model>)> {
     let drone = drones.get(seat.drone)?;
     let place = seat.unit.place();
-    Some((drone.units.get(place)?, *drone.models.get(place)?))
+    Some((drone.units.get(place)?, drone.models.get(place)?.as_ref()))
 }
 
 /// What the FMUs of other tools call the variables of the units whose places they take.

@@ -6,15 +6,15 @@ use cordon_spec::Phase;
 
 use cordon_core::exact::{self, Rational};
 use cordon_core::{Error, Result, range};
-use cordon_cosim::interchange::into_cps;
+use cordon_cosim::interchange;
 use cordon_run::protocol;
 use cordon_run::scenario::{self, Draft, Flight, Places, Scenario, Start};
 
 /// A scenario file, flags, or a file with flags in place of some of its fields.
 #[derive(clap::Args, Clone, Debug, Default, PartialEq, Eq)]
 pub struct ScenarioArgs {
-    /// Scenario file (TOML), see `scenarios/`, or INTO-CPS multi-model (.json); flags replace its
-    /// fields
+    /// Scenario file (TOML), see `scenarios/`, INTO-CPS multi-model (.json) or SSP archive (.ssp);
+    /// flags replace its fields
     #[arg(value_name = "SCENARIO")]
     pub file: Option<PathBuf>,
     /// Number of drones, 3 to 1000000 [default: the length of the start]
@@ -114,7 +114,7 @@ impl ScenarioArgs {
 
     fn read(&self, seed: Option<u64>) -> Result<(Scenario, Flight, Places)> {
         let file = match &self.file {
-            Some(path) if into_cps::is_multi_model(path) => into_cps::read(path)?,
+            Some(path) if interchange::is_system(path) => interchange::read(path)?,
             Some(path) => scenario::read(path)?,
             None => Draft::default(),
         };

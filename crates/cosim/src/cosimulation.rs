@@ -352,6 +352,13 @@ impl Cosimulation {
     pub fn wiring(&self) -> Result<Wiring> {
         let mut wiring = self.wired_here()?;
         for substitute in &self.units {
+            if let Some((name, values)) = substitute.ranges.first_key_value() {
+                return Err(Error::input(format!(
+                    "unit.parameters.{name}: {} values: expected one in a run: `cordon cosim` flies a run \
+                     for each",
+                    values.len()
+                )));
+            }
             let seat = Seat { drone: substitute.drone, unit: substitute.unit };
             wiring.substitute(seat.place(), |unit| (self.load.0)(substitute, unit))?;
         }

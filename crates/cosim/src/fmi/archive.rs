@@ -1,12 +1,14 @@
 //! Reading FMUs: the archive, and the binaries in it.
 
 use std::fs::File;
-use std::io::{BufReader, Read};
+use std::io::{BufReader, Cursor, Read, Seek};
 use std::path::{Path, PathBuf};
 
 use zip::ZipArchive;
 
 use super::carried::{self, Carried};
+#[cfg(feature = "fmi-import")]
+use super::import::folder::Folder;
 use super::interface::{FmiVersion, Model};
 use super::model_description::{FmuVariable, ModelDescription};
 use super::package::platform;
@@ -119,13 +121,36 @@ const LARGEST_CONTENT: u64 = 1 << 30;
 /// Most files of an archive.
 const MOST_FILES: usize = 100_000;
 
-/// Opens an archive, which has to be within the limits.
-pub(crate) fn opened(path: &Path) -> Result<ZipArchive<BufReader<File>>> {
+/// What an archive is read from: a file, or the memory that holds a file of another archive.
+pub(crate) trait Stored: Read + Seek {}
+
+impl<T: Read + Seek> Stored for T {}
+
+/// An archive that is read.
+pub(crate) type Archive = ZipArchive<Box<dyn Stored>>;
+
+/// Opens an archive, which has to be within the limits. A path may lead into another archive:
+/// `system.ssp/resources/plant.fmu`.
+pub(crate) fn opened(path: &Path) -> Result<Archive> {
+    let outer = path.ancestors().skip(1).find(|a| a.is_file());
+    let (Some(outer), false) = (outer, path.is_file()) else {
+        let file = File::open(path).map_err(|e| Error::file("read", path, e))?;
+        files::is_input(path);
+        return archive(path, Box::new(BufReader::new(file)));
+    };
+    let inside = path.strip_prefix(outer).unwrap_or(path).to_string_lossy().replace('\\', "/");
+    let mut outer = opened(outer)?;
+    let mut bytes = Vec::new();
+    let read = outer.by_name(&inside).map_err(std::io::Error::other);
+    let read = read.and_then(|entry| entry.take(LARGEST_CONTENT).read_to_end(&mut bytes));
+    read.map_err(|e| Error::file("read", path, e))?;
+    archive(path, Box::new(Cursor::new(bytes)))
+}
+
+fn archive(path: &Path, stored: Box<dyn Stored>) -> Result<Archive> {
     let fail = |what: String| Error::input(format!("`{}`: {what}", path.display()));
-    let file = File::open(path).map_err(|e| Error::file("read", path, e))?;
-    files::is_input(path);
-    let archive = ZipArchive::new(BufReader::new(file))
-        .map_err(|e| fail(format!("expected an FMU, a whole zip archive: {e}")))?;
+    let archive = ZipArchive::new(stored)
+        .map_err(|e| fail(format!("expected a whole zip archive: {e}")))?;
     if archive.len() > MOST_FILES {
         let found = archive.len();
         return Err(fail(format!("it has {found} files: expected at most {MOST_FILES}")));
@@ -141,21 +166,23 @@ pub(crate) fn opened(path: &Path) -> Result<ZipArchive<BufReader<File>>> {
 
 /// A text of an archive, by its path inside. `what` is what has such a file, for messages.
 pub(crate) fn entry(
-    archive: &mut ZipArchive<BufReader<File>>,
+    archive: &mut Archive,
     name: &str,
     what: &str,
 ) -> Result<String, String> {
     let entry = archive.by_name(name);
     let entry = entry.map_err(|e| format!("expected {what} with a `{name}`: {e}"))?;
-    let mut text = String::new();
+    let mut bytes = Vec::new();
     entry
         .take(LARGEST_TEXT + 1)
-        .read_to_string(&mut text)
+        .read_to_end(&mut bytes)
         .map_err(|e| format!("its `{name}` cannot be read: {e}"))?;
-    if u64::try_from(text.len()).is_ok_and(|length| length > LARGEST_TEXT) {
+    if u64::try_from(bytes.len()).is_ok_and(|length| length > LARGEST_TEXT) {
         return Err(format!("its `{name}` is too large: expected at most {LARGEST_TEXT} bytes"));
     }
-    Ok(text)
+    // What is no UTF-8 is what older tools write, ISO 8859-1: its bytes are Unicode's numbers.
+    let latin = |e: std::string::FromUtf8Error| e.as_bytes().iter().copied().map(char::from).collect();
+    Ok(String::from_utf8(bytes).unwrap_or_else(latin))
 }
 
 #[cfg(feature = "fmi-import")]
@@ -164,11 +191,10 @@ impl Fmu {
     ///
     /// # Errors
     /// It cannot be unpacked, a path in it leads out of it, or it is too large.
-    pub(super) fn unpack(&self) -> Result<tempfile::TempDir> {
+    pub(super) fn unpack(&self) -> Result<Folder> {
         let fail = |what: String| Error::input(format!("`{}`: {what}", self.path.display()));
         let failed = |e: &dyn std::fmt::Display| fail(format!("it cannot be unpacked: {e}"));
-        let folder = tempfile::Builder::new().prefix("cordon-fmu-").tempdir();
-        let folder = folder.map_err(|e| Error::file("create", &std::env::temp_dir(), e))?;
+        let folder = Folder::new()?;
         let mut archive = opened(&self.path)?;
         let mut left = LARGEST_CONTENT;
         for place in 0..archive.len() {

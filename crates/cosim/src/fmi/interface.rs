@@ -150,11 +150,16 @@ impl Model {
         }
     }
 
-    /// The variables that importers see: those of the unit, then [`TAU`]. A variable's value
-    /// reference is its place here.
+    /// The variables that importers see: those of the unit, then [`TAU`] and [`START_INPUTS`]. A
+    /// variable's value reference is its place here.
     pub fn variables(&self) -> Vec<Variable> {
         let mut variables = self.unit(self.identifier()).variables().to_vec();
         variables.push(tau(self.exact_numbers()));
+        let text = "whether the first step takes the inputs' start values, whatever is set after the \
+                    initialisation";
+        let start = Value::Boolean(false);
+        let (none, parameter) = (Dimension::NONE, Causality::Parameter);
+        variables.push(Variable::new(START_INPUTS, none, parameter, start, text));
         variables
     }
 
@@ -236,6 +241,10 @@ pub const BINARY_MARK: &str = concat!("\u{7f}cordon-fmu ", env!("CARGO_PKG_VERSI
 /// Name of the parameter that every exported unit has besides its own: the length of a step in
 /// seconds, exact.
 pub const TAU: &str = "tau";
+
+/// Name of the parameter that every exported unit has besides: whether the first step takes the inputs'
+/// start values. Some importers send zeros in the first step.
+pub const START_INPUTS: &str = "start_inputs";
 
 /// The step that exported units are made for unless told otherwise: 0.05 s, as in the paper.
 pub fn default_tau() -> Rational {

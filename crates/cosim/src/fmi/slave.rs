@@ -9,7 +9,7 @@ use std::path::Path;
 use num_traits::Signed;
 
 use super::carried::Carried;
-use super::interface::{FmiVersion, Model, TAU, default_tau};
+use super::interface::{FmiVersion, Model, START_INPUTS, TAU, default_tau};
 pub use super::snapshot::Mode;
 use super::snapshot::Snapshot;
 use crate::grid::Grid;
@@ -73,6 +73,8 @@ pub struct Slave {
     unit: Box<dyn Resumable>,
     mode: Mode,
     tau: Rational,
+    /// Whether the first step takes the inputs' start values.
+    start_inputs: bool,
     grid: Option<Grid>,
     start_time: f64,
     stop_time: Option<f64>,
@@ -119,6 +121,7 @@ impl Slave {
             model,
             mode: Mode::Instantiated,
             tau: default_tau(),
+            start_inputs: false,
             grid: None,
             start_time: 0.0,
             stop_time: None,
@@ -274,6 +277,15 @@ impl Slave {
                 return Err(named(&format!("`{tau}`: expected a positive number of seconds")));
             }
             self.tau = tau;
+        } else if variable.name == START_INPUTS {
+            let Value::Boolean(hold) = value else {
+                return Err(named(&format!("expected boolean, found {}", value.kind())));
+            };
+            self.start_inputs = hold;
+        } else if self.start_inputs && self.mode == Mode::Step && self.step == 0 {
+            if variable.kind() != value.kind() {
+                return Err(named(&format!("expected {}, found {}", variable.kind(), value.kind())));
+            }
         } else {
             self.unit.set(place, &value)?;
         }
@@ -288,8 +300,10 @@ impl Slave {
             let name = &variable.name;
             return Err(Refusal::error(format!("variable `{name}`: its type is {kind}")));
         }
-        if variable.name == TAU {
-            return Ok(self.model.tau_value(&self.tau));
+        match variable.name.as_str() {
+            TAU => return Ok(self.model.tau_value(&self.tau)),
+            START_INPUTS => return Ok(Value::Boolean(self.start_inputs)),
+            _ => {}
         }
         if self.mode == Mode::Fatal {
             return Err(Refusal::fatal("reading: the instance is of no more use"));
@@ -401,6 +415,7 @@ impl Slave {
         for (place, variable) in self.variables.iter().enumerate() {
             settable.push(match variable.causality {
                 _ if variable.name == TAU => Some(self.model.tau_value(&self.tau)),
+                _ if variable.name == START_INPUTS => Some(Value::Boolean(self.start_inputs)),
                 Causality::Parameter | Causality::Input => Some(self.unit.get(place)?),
                 Causality::Output | Causality::Local => None,
             });

@@ -2,10 +2,14 @@
 //! ways) and SSP systems ([`ssp`]).
 
 pub mod into_cps;
+mod ports;
+mod read;
 pub mod ssp;
 
+pub use read::{is_system, read};
+
 use crate::cosimulation::Cosimulation;
-use crate::fmi::interface::{Model, TAU, default_tau};
+use crate::fmi::interface::{Model, START_INPUTS, TAU, default_tau};
 use crate::master::Algorithm;
 use crate::seat::Seat;
 use crate::unit::{Causality, Unit, Value};
@@ -110,6 +114,29 @@ impl Assembly {
             instances,
             connections,
         })
+    }
+
+    /// With what every connected input hears first among the start values, for importers that send
+    /// something else in the first step ([`START_INPUTS`]).
+    ///
+    /// # Errors
+    /// As for [`Assembly::of`].
+    pub fn with_first_inputs(mut self, swarm: &Cosimulation) -> Result<Self> {
+        let mut wiring = swarm.wiring()?;
+        wiring.units.iter_mut().try_for_each(|unit| unit.initialise(&swarm.grid))?;
+        for ((from, _), (_, to)) in wiring.connections().zip(&self.connections) {
+            let Some(unit) = wiring.units().get(from.unit) else { continue };
+            let sent = unit.get(from.variable)?;
+            let Some(instance) = self.instances.get_mut(to.instance) else { continue };
+            let start = instance.model.variables().into_iter().find(|v| v.name == to.variable);
+            if start.is_some_and(|v| v.start != sent) {
+                instance.settings.push((to.variable.clone(), sent));
+            }
+        }
+        for instance in &mut self.instances {
+            instance.settings.push((START_INPUTS.to_owned(), Value::Boolean(true)));
+        }
+        Ok(self)
     }
 
     /// The models that it has instances of, each once, in the order of a drone's units.

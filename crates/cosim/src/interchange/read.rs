@@ -1,4 +1,4 @@
-//! Reads multi-models as scenarios.
+//! Reads the systems of other tools as scenarios.
 //!
 //! What is read has to be a swarm: drones of a coordination unit of this program, a controller
 //! and a plant each, connected as [`Assembly`] connects them. A controller or a plant may be an
@@ -9,70 +9,64 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use cordon_spec::Phase;
-use serde::Deserialize;
-use serde::de::IgnoredAny;
 use serde_json::Value as Json;
 
-use super::MultiModel;
-use super::locate::{self, Found};
+use super::into_cps::{self, MasterAlgorithm};
 use super::ports::{Instance, Port, Ports};
+use super::{Assembly, End, ssp};
 use crate::coordination::OwnLaw;
 use crate::cosimulation::Cosimulation;
 use crate::fmi::archive::Fmu;
 use crate::fmi::interface::{Model, Positions, TAU};
-use crate::interchange::{Assembly, End};
 use crate::quotient::Quotient;
 use crate::seat::Seat;
 use crate::unit::Value;
 use cordon_core::exact::{self, Rational};
-use cordon_core::files::{self, Limit};
 use cordon_core::{Error, Result};
 use cordon_run::scenario::{Draft, Flight, Parameter, Start, Substitute, UnitName};
 
-/// Whether a file's name says that it is a multi-model.
-pub fn is_multi_model(path: &Path) -> bool {
-    path.extension().is_some_and(|e| e == "json")
+/// Whether a file's name says that it is a multi-model or an SSP archive.
+pub fn is_system(path: &Path) -> bool {
+    path.extension().is_some_and(|e| e == "json" || e == ssp::ENDING)
 }
 
-/// Whether a JSON file is a multi-model, or the configuration of a co-simulation that names one, by
-/// its fields: runs are JSON too.
+/// Reads a multi-model, the configuration of a co-simulation that names one, or an SSP archive, as a
+/// scenario.
 ///
 /// # Errors
-/// The file cannot be read.
-pub fn holds_multi_model(path: &Path) -> Result<bool> {
-    #[derive(Deserialize)]
-    struct Fields {
-        fmus: Option<IgnoredAny>,
-        multimodel_path: Option<IgnoredAny>,
-    }
-    let text = files::read_text(path, Limit::RUN)?;
-    let fields = serde_json::from_str::<Fields>(&text);
-    Ok(fields.is_ok_and(|f| f.fmus.is_some() || f.multimodel_path.is_some()))
-}
-
-/// Reads a multi-model, or the configuration of a co-simulation that names one, as a scenario.
-///
-/// # Errors
-/// The file or one of its FMUs cannot be read, or it is not the multi-model of a swarm: the
-/// message names the file and what does not fit.
+/// The file or one of its FMUs cannot be read, or it is not the system of a swarm: the message names
+/// the file and what does not fit.
 pub fn read(path: &Path) -> Result<Draft> {
     let named = |e: Error| match e {
         Error::Input(what) => Error::input(format!("{}: {what}", path.display())),
         e => e,
     };
-    let Found { model, folder } = locate::model(path)?;
-    let mut fmus = BTreeMap::new();
-    for (key, file) in &model.fmus {
-        let file = locate::file(&folder, file).map_err(named)?;
-        fmus.insert(key.clone(), Fmu::open(&file)?);
-    }
-    Reader { ports: Ports::of(&model).map_err(named)?, model: &model, fmus }.draft().map_err(named)
+    let system = match path.extension().is_some_and(|e| e == ssp::ENDING) {
+        true => ssp::system(path)?,
+        false => into_cps::system(path)?,
+    };
+    system.draft().map_err(named)
 }
 
-struct Reader<'m> {
-    model: &'m MultiModel,
-    ports: Ports,
-    fmus: BTreeMap<String, Fmu>,
+/// Instances of FMUs and their connections, as a file has them.
+pub(super) struct System {
+    /// What it is about, where the file says so.
+    pub title: Option<String>,
+    /// The FMUs by their keys, in braces.
+    pub fmus: BTreeMap<String, Fmu>,
+    pub ports: Ports,
+    pub clock: Clock,
+    /// Start and end in seconds, where the file says so.
+    pub start: Option<f64>,
+    pub end: Option<f64>,
+}
+
+/// The length of a step.
+pub(super) enum Clock {
+    /// As the units have it.
+    Units,
+    /// As the configuration says, where it says something.
+    Said(Option<MasterAlgorithm>),
 }
 
 /// The three instances of a drone.
@@ -82,10 +76,11 @@ struct Drone {
     models: [Option<Model>; UnitName::ALL.len()],
 }
 
-impl Reader<'_> {
+impl System {
     fn draft(&self) -> Result<Draft> {
         let drones = self.drones()?;
-        let mut draft = self.as_read(&drones)?;
+        let draft = self.as_read(&drones)?;
+        let mut draft = Draft { title: self.title.clone(), ..draft };
         let names = self.compare(&drones, &draft)?;
         draft.flight.units = self.substitutes(&drones, &names)?;
         Ok(draft)
@@ -261,7 +256,7 @@ impl Reader<'_> {
             start: Some(actual),
             exchange: Some(if is_exact { "exact" } else { "double" }.to_owned()),
             on_loss: Some(if skip == "true" { "skip" } else { "hold" }.to_owned()),
-            duration: Some(self.duration(&tau)?),
+            duration: self.duration(&tau)?,
             ..Flight::default()
         };
         if let Some((control, model)) = first(drones, 1) {
@@ -298,25 +293,31 @@ impl Reader<'_> {
         })
     }
 
-    /// The length of the run, a whole number of steps.
-    fn duration(&self, tau: &Rational) -> Result<Rational> {
+    /// The length of the run, a whole number of steps; `None` where an archive does not say it.
+    fn duration(&self, tau: &Rational) -> Result<Option<Rational>> {
         let step = exact::to_f64(tau);
-        let Some(algorithm) = &self.model.algorithm else {
-            return Err(Error::input("algorithm is missing: expected a fixed step"));
-        };
-        if algorithm.kind != "fixed-step" || algorithm.size != Some(step) {
-            let size = algorithm.size.map_or("none".to_owned(), |s| s.to_string());
-            return Err(Error::input(format!(
-                "algorithm: `{}` of size {size}: expected `fixed-step` of size {step}, the units' `{TAU}`",
-                algorithm.kind
-            )));
+        match (&self.clock, self.end) {
+            (Clock::Units, None) => return Ok(None),
+            (Clock::Units, Some(_)) => {}
+            (Clock::Said(None), _) => {
+                return Err(Error::input("algorithm is missing: expected a fixed step"));
+            }
+            (Clock::Said(Some(algorithm)), _) => {
+                if algorithm.kind != "fixed-step" || algorithm.size != Some(step) {
+                    let size = algorithm.size.map_or("none".to_owned(), |s| s.to_string());
+                    return Err(Error::input(format!(
+                        "algorithm: `{}` of size {size}: expected `fixed-step` of size {step}, the units' `{TAU}`",
+                        algorithm.kind
+                    )));
+                }
+            }
         }
-        let end = self.model.end_time.unwrap_or(f64::NAN);
-        let start = self.model.start_time.unwrap_or(0.0);
+        let end = self.end.unwrap_or(f64::NAN);
+        let start = self.start.unwrap_or(0.0);
         let steps = (end / step).round();
         let duration = Rational::from_float(steps).unwrap_or_default() * tau;
         if start == 0.0 && end >= 0.0 && exact::to_f64(&duration) == end {
-            return Ok(duration);
+            return Ok(Some(duration));
         }
         Err(Error::input(format!(
             "a run from {start} to {end} s: expected one from 0 to a whole multiple of {step} s"
@@ -327,7 +328,10 @@ impl Reader<'_> {
     /// call their variables, where a connection to a unit of this program tells.
     fn compare(&self, drones: &[Drone], draft: &Draft) -> Result<Names> {
         let swarm = Cosimulation::new(draft.clone().finish()?, draft.flight.clone())?;
-        let assembly = Assembly::of(&swarm)?;
+        let assembly = match self.clock {
+            Clock::Units => Assembly::of(&swarm)?.with_first_inputs(&swarm)?,
+            Clock::Said(_) => Assembly::of(&swarm)?,
+        };
         let mut unmatched = self.ports.wires.clone();
         let mut names = Names::new();
         for (from, to) in &assembly.connections {
@@ -403,7 +407,8 @@ impl Reader<'_> {
                     Ok((name.clone(), value))
                 };
                 let parameters = set.map(parameter).collect::<Result<_>>()?;
-                substitutes.push(Substitute { drone, unit, fmu, names, parameters });
+                let ranges = BTreeMap::new();
+                substitutes.push(Substitute { drone, unit, fmu, names, parameters, ranges });
             }
         }
         Ok(substitutes)

@@ -5,6 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use cordon_cosim::fmi::interface::FmiVersion;
 use cordon_cosim::fmi::slave::{Refusal, Slave};
+use cordon_cosim::fmi::uri;
 use cordon_cosim::unit::Value;
 
 use crate::component::{self, Component, LOG_CATEGORY, Log, Status};
@@ -88,7 +89,7 @@ pub unsafe extern "C" fn fmi2Instantiate(
     instance_name: *const c_char,
     fmu_type: c_int,
     guid: *const c_char,
-    _resource_location: *const c_char,
+    resource_location: *const c_char,
     functions: *const Callbacks,
     _visible: c_int,
     _logging_on: c_int,
@@ -104,7 +105,13 @@ pub unsafe extern "C" fn fmi2Instantiate(
     let made = catch_unwind(AssertUnwindSafe(|| {
         let (name, guid) = texts()?;
         match fmu_type {
-            CO_SIMULATION => Ok((name, Slave::instantiate(FmiVersion::V2, name, guid)?)),
+            CO_SIMULATION => {
+                // A location that is none of a folder here is no fault of units that carry nothing.
+                // SAFETY: the caller vouches for it.
+                let location = unsafe { convert::text(resource_location) }.ok();
+                let resources = location.and_then(|location| uri::path(location).ok());
+                Ok((name, Slave::instantiate(FmiVersion::V2, name, guid, resources.as_deref())?))
+            }
             _ => Err(Refusal::error("this FMU is for co-simulation, not for model exchange")),
         }
     }));

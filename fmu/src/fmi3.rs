@@ -1,6 +1,7 @@
 //! FMI 3.0: what co-simulation needs. The rest is in [`crate::fmi3_unsupported`].
 
 use std::ffi::{CStr, c_char, c_uint, c_void};
+use std::path::Path;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use cordon_cosim::fmi::interface::FmiVersion;
@@ -68,7 +69,7 @@ pub extern "C" fn fmi3GetVersion() -> *const c_char {
 pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
     instance_name: *const c_char,
     token: *const c_char,
-    _resource_path: *const c_char,
+    resource_path: *const c_char,
     _visible: bool,
     logging_on: bool,
     event_mode_used: bool,
@@ -91,7 +92,9 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
         if intermediate_count > 0 {
             return Err(Refusal::error("this FMU has no intermediate updates"));
         }
-        Ok((name, Slave::instantiate(FmiVersion::V3, name, token)?))
+        // SAFETY: the caller vouches for it.
+        let resources = unsafe { convert::text(resource_path) }.ok().map(Path::new);
+        Ok((name, Slave::instantiate(FmiVersion::V3, name, token, resources)?))
     }));
     let refusal = match made {
         Ok(Ok((name, slave))) => {

@@ -3,7 +3,8 @@
 use std::io::Write;
 use std::path::PathBuf;
 
-use cordon_core::{Outcome, Result, files};
+use crate::cli::scenario_args::ScenarioArgs;
+use cordon_core::{Error, Outcome, Result, files};
 use cordon_cosim::fmi::interface::{FmiVersion, Model, Positions};
 use cordon_cosim::fmi::{binary, import, package};
 
@@ -31,6 +32,8 @@ struct ExportArgs {
     /// The unit to write
     #[arg(value_enum)]
     unit: UnitArg,
+    #[command(flatten)]
+    scenario: ScenarioArgs,
     /// Version of the FMI standard
     #[arg(long, value_enum, default_value_t = VersionArg::Two)]
     fmi: VersionArg,
@@ -54,7 +57,8 @@ pub(super) struct BinaryArg {
 
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 enum UnitArg {
-    /// One drone's share of the coverage protocol: the spec, exact inside
+    /// One drone's share of the coverage protocol, the spec, exact inside; or of the protocol file that
+    /// `--protocol` or a scenario names
     Coordination,
     /// The cascaded controller
     Control,
@@ -113,13 +117,19 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
 
 fn export(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome> {
     let model = match args.unit {
-        UnitArg::Coordination => Model::Coordination(args.positions.into()),
+        UnitArg::Coordination => coordination(args)?,
         UnitArg::Control => Model::Control,
         UnitArg::Plant => Model::Plant,
     };
+    if args.scenario != ScenarioArgs::default() && !matches!(model, Model::Protocol(..)) {
+        return Err(Error::input(
+            "protocol: expected a protocol file, of which an FMU carries the scenario: other units \
+             have parameters for all of it",
+        ));
+    }
     let version = args.fmi.into();
     let binary = binary::load(args.binary.binary.as_deref())?;
-    let archive = package::fmu(model, version, &binary)?;
+    let archive = package::fmu(&model, version, &binary)?;
     files::write_atomically(&args.out, &archive)?;
     writeln!(
         out,
@@ -130,4 +140,17 @@ fn export(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome> {
         archive.len()
     )?;
     Ok(Outcome::Holds)
+}
+
+/// The coordination unit of coverage, or of a protocol file.
+fn coordination(args: &ExportArgs) -> Result<Model> {
+    let positions = args.positions.into();
+    if args.scenario == ScenarioArgs::default() {
+        return Ok(Model::Coordination(positions));
+    }
+    let scenario = args.scenario.scenario_at_rest()?;
+    let protocol = scenario.protocol.name();
+    Model::coordination(positions, &scenario).ok_or_else(|| {
+        Error::input(format!("protocol: `{protocol}`: expected `coverage` or a protocol file"))
+    })
 }

@@ -1,19 +1,20 @@
 //! The flags that describe a scenario.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use cordon_spec::Phase;
 
 use cordon_core::exact::{self, Rational};
 use cordon_core::{Error, Result, range};
-use cordon_cosim::interchange::into_cps;
+use cordon_cosim::interchange;
+use cordon_run::protocol;
 use cordon_run::scenario::{self, Draft, Flight, Places, Scenario, Start};
 
 /// A scenario file, flags, or a file with flags in place of some of its fields.
-#[derive(clap::Args, Clone, Debug, Default)]
+#[derive(clap::Args, Clone, Debug, Default, PartialEq, Eq)]
 pub struct ScenarioArgs {
-    /// Scenario file (TOML), see `scenarios/`, or INTO-CPS multi-model (.json); flags replace its
-    /// fields
+    /// Scenario file (TOML), see `scenarios/`, INTO-CPS multi-model (.json) or SSP archive (.ssp);
+    /// flags replace its fields
     #[arg(value_name = "SCENARIO")]
     pub file: Option<PathBuf>,
     /// Number of drones, 3 to 1000000 [default: the length of the start]
@@ -71,6 +72,24 @@ impl ScenarioArgs {
         self.drawn(None)
     }
 
+    /// The checked scenario; of a protocol file without a start every variable is 0, for so many
+    /// agents as the flags or the file say.
+    ///
+    /// # Errors
+    /// The file cannot be read or a field is wrong.
+    pub fn scenario_at_rest(&self) -> Result<Scenario> {
+        let (None, None, Some(path)) = (&self.file, &self.start, &self.protocol) else {
+            return self.scenario();
+        };
+        if !scenario::names_file(path) {
+            return self.scenario();
+        }
+        let file = protocol::read(Path::new(path))?;
+        let system = file.with_agents(self.drones.unwrap_or(file.agents.fewest()))?;
+        let zeros = vec!["0"; system.state.len() - system.past.len()].join(",");
+        Self { start: Some(zeros), ..self.clone() }.scenario()
+    }
+
     /// The checked scenario; a seed draws what its protocol file leaves open in each step.
     ///
     /// # Errors
@@ -96,7 +115,7 @@ impl ScenarioArgs {
 
     fn read(&self, seed: Option<u64>) -> Result<(Scenario, Flight, Places)> {
         let file = match &self.file {
-            Some(path) if into_cps::is_multi_model(path) => into_cps::read(path)?,
+            Some(path) if interchange::is_system(path) => interchange::read(path)?,
             Some(path) => scenario::read(path)?,
             None => Draft::default(),
         };

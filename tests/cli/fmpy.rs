@@ -15,17 +15,38 @@ const UNITS: [(&str, &str, &str); 5] = [
     ("plant", "exact", "cordon_plant"),
 ];
 
+/// A protocol file with two variables an agent.
+const PLATOON: &str = "scenarios/own/platoon.toml";
+
+/// A scenario of it, in which drones fly to their desired places first.
+fn platoon(folder: &Path) -> String {
+    let protocol = Path::new(env!("CARGO_MANIFEST_DIR")).join(PLATOON);
+    let text = format!(
+        "protocol = '{}'\nstart = [0, 0, 0.25, 0, -0.25, 0.1, 0.25, 0, 0, 0]\nperiod = 4\ntau = 0.05\n\
+         [flight]\nstart = [0, 1, 2, 3, 4]\n",
+        protocol.display()
+    );
+    let path = folder.join("platoon.toml");
+    std::fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
 /// A Python that has FMPy, or `None` after saying that the test was not run.
 fn python(test: &str) -> Option<String> {
+    python_with(test, "fmpy")
+}
+
+/// As [`python`], for other packages.
+fn python_with(test: &str, package: &str) -> Option<String> {
     let python = std::env::var("CORDON_PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    let found = Command::new(&python).args(["-c", "import fmpy"]).output();
+    let found = Command::new(&python).args(["-c", &format!("import {package}")]).output();
     if found.is_ok_and(|o| o.status.success()) {
         crate::common::fmu_binary();
         return Some(python);
     }
     let required = std::env::var("CORDON_REQUIRE_TOOLS").is_ok_and(|v| v == "1");
-    assert!(!required, "{test}: `{python}` cannot import fmpy, and tools are required");
-    eprintln!("{test}: NOT RUN: `{python}` cannot import fmpy");
+    assert!(!required, "{test}: `{python}` cannot import {package}, and tools are required");
+    eprintln!("{test}: NOT RUN: `{python}` cannot import {package}");
     None
 }
 
@@ -58,7 +79,18 @@ fn fmpy_finds_no_problem_in_any_exported_fmu() {
             validated += 1;
         }
     }
-    assert_eq!(validated, 10);
+    for positions in ["exact", "double"] {
+        for version in ["2", "3"] {
+            let fmu = dir.path().join("own.fmu").to_str().unwrap().to_owned();
+            let args = ["fmu", "export", "coordination", "--protocol", PLATOON, "--fmi", version];
+            let said = run(&[&args[..], &["--positions", positions, "--out", &fmu]].concat());
+            assert_eq!(said.0, 0, "{}", said.2);
+            let (_, said, err) = call(&python, &["-m", "fmpy", "validate", &fmu]);
+            assert_eq!(said.trim(), "No problems found.", "own protocol {version}: {err}");
+            validated += 1;
+        }
+    }
+    assert_eq!(validated, 14);
 }
 
 #[test]
@@ -155,38 +187,92 @@ fn fifteen_fmus_fly_as_the_cosimulation_does_every_double() {
     flies_the_same(&python, "scenarios/recorded.toml", &["--compat", "recorded"], "2", false);
 }
 
-/// Applies the one set of parameters, and sends zeros in the first step: an update in the last
-/// tick of the period is none the worse for it.
 #[test]
-fn fmpys_own_way_with_ssp_archives_flies_them_right() {
-    let Some(python) = python("simulate_ssp") else { return };
+fn own_protocols_fly_in_other_tools_as_they_do_here_every_double() {
+    let Some(python) = python("own protocols") else { return };
+    let dir = tempfile::tempdir().unwrap();
+    let scenario = platoon(dir.path());
+    flies_the_same(&python, &scenario, &["--exchange", "exact"], "3", false);
+    flies_the_same(&python, &scenario, &["--exchange", "double"], "2", true);
+}
+
+/// Twelve drones, of which one is far from its desired place.
+const TWELVE: &str = "start = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 42]\nweight = \"1/3\"\nperiod = 4\n\
+                      tau = 0.05\n[flight]\nduration = 5\nexchange = \"double\"\n\
+                      start = [0, 1, 2, 3, 7, 5, 6, 7, 8, 9, 10, 42]\n";
+
+/// Flies an exported archive in another tool by its own way with archives; every double after every
+/// step has to be that of `cordon cosim`.
+fn flies_its_own_way(
+    python: &str,
+    scenario: &str,
+    flags: &[&str],
+    script: impl Fn(&str, &str) -> Vec<String>,
+) -> usize {
     let dir = tempfile::tempdir().unwrap();
     let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
-    let scenario = "start = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 42]\nweight = \"1/3\"\n\
-                    period = 4\ntau = 0.05\n[flight]\nduration = 5\nexchange = \"double\"\n";
-    std::fs::write(path("s.toml"), scenario).unwrap();
-    let (here, there) = (path("here.csv"), path("there.csv"));
-    let last = ["--phase", "last"];
-    let flown = run(&[&["cosim", &path("s.toml"), "--out", &here], &last[..]].concat());
+    let (here, there, ssp) = (path("here.csv"), path("there.csv"), path("swarm.ssp"));
+    let flags = [flags, &["--duration", "5", "--exchange", "double"]].concat();
+    let flown = run(&[&["cosim", scenario, "--out", &here], &flags[..]].concat());
     assert_eq!(flown.0, 0, "{}", flown.2);
-    let (ssp, toml) = (path("swarm.ssp"), path("s.toml"));
-    let exported = run(&[&["export", "ssp", &toml, "--out", &ssp], &last[..]].concat());
+    let exported = run(&[&["export", "ssp", scenario, "--out", &ssp], &flags[..]].concat());
     assert_eq!(exported.0, 0, "{}", exported.2);
-    let args = ["tests/fmpy/simulate_ssp.py", &ssp, "5", "0.05", "--out", &there];
-    let (ok, said, err) = call(&python, &args);
+    let args = script(&ssp, &there);
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    let (ok, said, err) = call(python, &args);
     assert!(ok, "{said}{err}");
     let [here, there] = [&here, &there].map(|f| columns(&std::fs::read_to_string(f).unwrap()));
     let mut compared = 0;
     for (name, theirs) in &there {
         // Names of components have numbers of equal length: `xd03` is `xd3`.
-        let (letters, number) = name.split_at(name.len() - 2);
+        let digits = name.find(|c: char| c.is_ascii_digit()).unwrap();
+        let (letters, number) = name.split_at(digits);
         let ours = &here[&format!("{letters}{}", number.parse::<usize>().unwrap())];
         for (k, (a, b)) in ours.iter().skip(1).zip(theirs).enumerate() {
-            assert!(a.to_bits() == b.to_bits(), "{name}, row {k}: {a} {b}");
+            assert!(a.to_bits() == b.to_bits(), "{flags:?}: {name}, row {k}: {a} {b}");
             compared += 1;
         }
     }
-    assert_eq!(compared, 24 * 100, "doubles that were compared");
+    compared
+}
+
+fn twelve(folder: &Path) -> String {
+    let path = folder.join("twelve.toml");
+    std::fs::write(&path, TWELVE).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+/// Applies the one set of parameters, and sends zeros in the first step, whatever the outputs are.
+#[test]
+fn fmpys_own_way_with_ssp_archives_flies_them_right() {
+    let Some(python) = python("simulate_ssp") else { return };
+    let dir = tempfile::tempdir().unwrap();
+    let script = |ssp: &str, out: &str| {
+        ["tests/fmpy/simulate_ssp.py", ssp, "5", "0.05", "--out", out].map(str::to_owned).to_vec()
+    };
+    for phase in ["first", "last"] {
+        let flags = ["--phase", phase];
+        let compared = flies_its_own_way(&python, &twelve(dir.path()), &flags, script);
+        assert_eq!(compared, 24 * 100, "doubles that were compared");
+        let compared = flies_its_own_way(&python, &platoon(dir.path()), &flags, script);
+        assert_eq!(compared, 10 * 100, "doubles of the platoon that were compared");
+    }
+}
+
+#[test]
+fn libcosim_and_ecos_fly_exported_archives_as_we_do_every_double() {
+    for (tool, package) in [("libcosim", "libcosimpy"), ("ecos", "fmpy, importlib.metadata as m; m.version('ecospy')")] {
+        let Some(python) = python_with(tool, package) else { continue };
+        let dir = tempfile::tempdir().unwrap();
+        let script = |ssp: &str, out: &str| {
+            let args = ["tests/fmpy/other_masters.py", tool, ssp, "100", "0.05", "--out", out];
+            args.map(str::to_owned).to_vec()
+        };
+        let compared = flies_its_own_way(&python, &twelve(dir.path()), &[], script);
+        assert_eq!(compared, 24 * 100, "{tool}: doubles that were compared");
+        let compared = flies_its_own_way(&python, &platoon(dir.path()), &[], script);
+        assert_eq!(compared, 10 * 100, "{tool}: doubles of the platoon that were compared");
+    }
 }
 
 #[test]

@@ -5,17 +5,33 @@ use std::path::{Path, PathBuf};
 
 use crate::common::run;
 use crate::common::schema::meets;
-use cordon_cosim::fmi::interface::{FmiVersion, Model, TAU};
+use cordon_cosim::fmi::interface::{FmiVersion, Model, Positions, START_INPUTS, TAU};
 use cordon_cosim::fmi::slave::{Mode, Severity, Slave};
 use cordon_cosim::unit::{Causality, Kind, Value};
+use cordon_run::scenario::parse;
 use tempfile::TempDir;
 use zip::{ZipArchive, ZipWriter, write::SimpleFileOptions};
 
-fn slave(model: Model, version: FmiVersion) -> Slave {
-    Slave::instantiate(version, "it", &model.token(version)).unwrap()
+fn slave(model: &Model, version: FmiVersion) -> Slave {
+    let resources = tempfile::tempdir().unwrap();
+    for (name, text) in model.resources() {
+        fs::write(resources.path().join(name), text).unwrap();
+    }
+    let token = model.token(version);
+    Slave::instantiate(version, "it", &token, Some(resources.path())).unwrap()
 }
 
-fn reference(model: Model, name: &str) -> u32 {
+/// Every unit that is exported; of the protocol files a platoon.
+fn models() -> Vec<Model> {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios/own/platoon.toml");
+    let start = "start = [0, 0, 0.25, 0, 0, 0, 0, 0, 0, 0]";
+    let text = format!("protocol = '{}'\n{start}\nperiod = 4", file.display());
+    let platoon = parse("test", &text).unwrap().finish().unwrap();
+    let platoon = Model::coordination(Positions::Exact, &platoon).unwrap();
+    Model::PLAIN.into_iter().chain([platoon]).collect()
+}
+
+fn reference(model: &Model, name: &str) -> u32 {
     let place = model.variables().iter().position(|v| v.name == name);
     u32::try_from(place.expect("a variable")).unwrap()
 }
@@ -27,7 +43,7 @@ fn begin(slave: &mut Slave) {
 }
 
 /// The values of all outputs, as text.
-fn outputs(model: Model, slave: &mut Slave) -> Vec<(String, String)> {
+fn outputs(model: &Model, slave: &mut Slave) -> Vec<(String, String)> {
     let variables = model.variables();
     let outputs = variables.iter().zip(0..).filter(|(v, _)| v.causality == Causality::Output);
     outputs
@@ -42,7 +58,7 @@ fn outputs(model: Model, slave: &mut Slave) -> Vec<(String, String)> {
 }
 
 /// Another value of a parameter, in its range.
-fn another(model: Model, name: &str, value: &Value) -> Value {
+fn another(model: &Model, name: &str, value: &Value) -> Value {
     match (name, value) {
         (_, Value::Real(x)) => Value::Real(x + 0.5),
         (_, Value::Integer(n)) => Value::Integer(n + 1),
@@ -57,7 +73,7 @@ fn another(model: Model, name: &str, value: &Value) -> Value {
 #[test]
 fn initial_outputs_depend_on_the_stated_parameters_and_on_no_others() {
     let mut compared = 0;
-    for model in Model::ALL {
+    for model in &models() {
         let mut plain = slave(model, FmiVersion::V2);
         begin(&mut plain);
         let before = outputs(model, &mut plain);
@@ -67,27 +83,27 @@ fn initial_outputs_depend_on_the_stated_parameters_and_on_no_others() {
             changed.set(reference(model, &v.name), &value).unwrap();
             begin(&mut changed);
             for ((name, x), (_, y)) in before.iter().zip(outputs(model, &mut changed)) {
-                let depends = model.initial_dependencies(name).contains(&v.name.as_str());
+                let depends = model.initial_dependencies(name).as_ref() == Some(&v.name);
                 assert_eq!(*x != y, depends, "{model:?}: {name} on {}", v.name);
                 compared += 1;
             }
         }
     }
-    // Outputs times parameters: coordination 2*10, 1*10 twice, control 4*13, plant 12*14.
-    assert_eq!(compared, 20 + 10 + 10 + 52 + 168);
+    // Outputs times parameters: coordination 2*11, 1*11 twice, control 4*14, plant 12*15, the platoon 3*8.
+    assert_eq!(compared, 22 + 11 + 11 + 56 + 180 + 24);
 }
 
 #[test]
 fn a_state_that_went_through_bytes_goes_on_as_before() {
     let mut moved = 0;
-    for model in Model::ALL {
+    for model in &models() {
         let mut a = slave(model, FmiVersion::V3);
         let inputs: Vec<u32> = (0..)
             .zip(&model.variables())
             .filter(|(_, v)| v.causality == Causality::Input)
             .map(|(reference, _)| reference)
             .collect();
-        let exact = model == Model::Coordination(cordon_cosim::fmi::interface::Positions::Exact);
+        let exact = model.exact_numbers();
         let feed = |slave: &mut Slave, k: u32| {
             for reference in &inputs {
                 let x = f64::from((k * 7 + reference * 3) % 11) / 8.0;
@@ -122,16 +138,41 @@ fn a_state_that_went_through_bytes_goes_on_as_before() {
 
         let cut = &bytes[..bytes.len() / 2];
         assert!(b.snapshot_from_bytes(cut).unwrap_err().message.contains("cannot be read"));
-        let other = Model::ALL[(Model::ALL.iter().position(|m| *m == model).unwrap() + 1) % 5];
+        let other = &Model::PLAIN[usize::from(*model == Model::PLAIN[0])];
         let refused = slave(other, FmiVersion::V3).snapshot_from_bytes(&bytes).unwrap_err();
         assert!(refused.message.contains("expected `cordon-fmi3.0:"), "{}", refused.message);
     }
-    assert_eq!(moved, 5, "models that the steps moved");
+    assert_eq!(moved, 6, "models that the steps moved");
+}
+
+/// What is set between the initialisation and the first step is not heard, where a parameter says so.
+#[test]
+fn the_first_step_takes_the_start_values_of_the_inputs_on_request() {
+    let model = &Model::Coordination(Positions::Double);
+    let mut heard = Vec::new();
+    for start_inputs in [false, true] {
+        let mut s = slave(model, FmiVersion::V3);
+        let prec = reference(model, "prec");
+        s.set(reference(model, START_INPUTS), &Value::Boolean(start_inputs)).unwrap();
+        s.set(prec, &Value::Real(2.0)).unwrap();
+        begin(&mut s);
+        s.set(prec, &Value::Real(0.0)).unwrap();
+        assert!(s.set(prec, &Value::Boolean(true)).is_err());
+        s.do_step(0.0, 0.05).unwrap();
+        let bytes = s.save().unwrap().to_bytes();
+        let state = s.snapshot_from_bytes(&bytes).unwrap();
+        s.restore(&state).unwrap();
+        heard.push(s.real(reference(model, "x_d")).unwrap());
+        s.set(prec, &Value::Real(1.0)).unwrap();
+        assert_eq!(s.real(prec), Ok(1.0), "only the first step");
+    }
+    // 10 + 1/5 (prec - 10), without the follower's pull: at its start the drone is at its place.
+    assert_eq!(heard, [8.0, 8.4]);
 }
 
 #[test]
 fn the_rules_of_the_standards_hold() {
-    let model = Model::Plant;
+    let model = &Model::Plant;
     let (x0, w1, tau) = (reference(model, "x0"), reference(model, "w1"), reference(model, TAU));
     let mut s = slave(model, FmiVersion::V2);
     let refused = |fault: Result<(), cordon_cosim::fmi::slave::Refusal>, part: &str| {
@@ -168,7 +209,7 @@ fn the_rules_of_the_standards_hold() {
     assert_eq!(s.time(), 2.5);
     refused(s.do_step(2.5, 1.0 / 30.0), "goes beyond the end of the run");
     assert_eq!(s.real(reference(model, "x")).unwrap(), 4.0);
-    assert_eq!(s.real(30).unwrap(), 2.5, "the time follows the variables");
+    assert_eq!(s.real(31).unwrap(), 2.5, "the time follows the variables");
     assert!(s.integer(w1).unwrap_err().message.contains("its type is real"));
     s.terminate().unwrap();
     refused(s.do_step(2.5, 1.0 / 30.0), "the instance is terminated");

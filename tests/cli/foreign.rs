@@ -370,6 +370,148 @@ fn units_are_compared_by_their_base_units_and_values_converted() {
     assert_eq!(flown_units, 4);
 }
 
+/// Units with an offset, as degrees Celsius have it: marks are half a metre long and begin at 100 m.
+#[test]
+fn values_in_units_with_an_offset_are_converted_both_ways() {
+    let bench = Bench::new();
+    let unit = r#"unit="mark""#;
+    for version in ["2.0", "3.0"] {
+        let library = bench.library("NONE", version, &[]);
+        let mut description = Description::of(version).with("x", unit).with("x0", unit);
+        description.head = r#"<UnitDefinitions><Unit name="mark"><BaseUnit m="1" factor="0.5" offset="100"/></Unit></UnitDefinitions>"#.to_owned();
+        bench.fmu("plant.fmu", &description, &library);
+        let flown = bench.fly_scenario(&bench.scenario(&[(2, "plant.fmu")], ""), &[]);
+        assert_eq!(flown.code, 0, "{}", flown.err);
+        assert!(bench.trace().contains(&"parameter early -160".to_owned()), "20 m is mark -160");
+        // 40 steps of 0.05 are 2 marks more.
+        assert_eq!(flown.rows[1][8], "20.0");
+        assert!((flown.last() - 21.0).abs() < 1e-9, "{}", flown.last());
+        assert!(flown.err.contains("`x` is in `mark`: converted to `m`"), "{}", flown.err);
+        // A unit that measures something else is none the better for its offset.
+        description.head = description.head.replace("m=\"1\"", "K=\"1\"");
+        bench.fmu("plant.fmu", &description, &library);
+        let flown = bench.fly_scenario(&bench.scenario(&[(2, "plant.fmu")], ""), &[]);
+        assert_eq!(flown.code, 2);
+        assert!(flown.err.contains("is in `mark`: expected `m`"), "{}", flown.err);
+    }
+}
+
+/// Parameters of every type are set, and read back: what an FMU does not keep is a warning.
+#[test]
+fn integers_booleans_and_texts_are_set_and_read_back() {
+    let bench = Bench::new();
+    let parameter = |version: &str, kind: &str, name: &str, reference: usize| match version {
+        "2.0" => format!(
+            r#"<ScalarVariable name="{name}" valueReference="{reference}" causality="parameter"><{kind} start="0"/></ScalarVariable>"#
+        ),
+        _ => format!(r#"<{kind} name="{name}" valueReference="{reference}" causality="parameter"/>"#),
+    };
+    let mut set = 0;
+    for (version, whole) in [("2.0", "Integer"), ("3.0", "Int8"), ("3.0", "UInt64")] {
+        let kinds = [(whole, "gear"), ("Boolean", "armed"), ("String", "label")];
+        let mut description = Description::of(version);
+        let parameters = kinds.iter().zip(103..);
+        description.more =
+            parameters.map(|((kind, name), r)| parameter(version, kind, name, r)).collect();
+        let more = "[unit.parameters]\ngear = 5\narmed = true\nlabel = \"north\"\n";
+        for fault in ["NONE", "FORGETFUL"] {
+            bench.fmu("plant.fmu", &description, &bench.library(fault, version, &[]));
+            let flown = bench.fly_scenario(&bench.scenario(&[(2, "plant.fmu")], more), &[]);
+            assert_eq!(flown.code, 0, "{}", flown.err);
+            let calls = bench.trace();
+            for call in ["integer 5", "boolean 1", "north 5"] {
+                assert!(calls.iter().any(|c| c == call), "{version} {whole}: {call} in {calls:?}");
+                set += 1;
+            }
+            for (name, value, back) in
+                [("gear", "5", "0"), ("armed", "true", "false"), ("label", "north", "")]
+            {
+                let warning =
+                    format!("parameter `{name}` was set to `{value}` and reads back as `{back}`");
+                assert_eq!(flown.err.contains(&warning), fault == "FORGETFUL", "{}", flown.err);
+            }
+        }
+        // More than the type holds.
+        bench.fmu("plant.fmu", &description, &bench.library("NONE", version, &[]));
+        let more = more.replace('5', if whole == "UInt64" { "-1" } else { "5000000000" });
+        let flown = bench.fly_scenario(&bench.scenario(&[(2, "plant.fmu")], &more), &[]);
+        assert_eq!(flown.code, 2);
+        assert!(flown.err.contains("setting `gear`: `"), "{}", flown.err);
+    }
+    assert_eq!(set, 3 * 2 * 3);
+}
+
+/// A range or a list of values makes a run for each combination, in an order that is always the same.
+#[test]
+fn parameters_with_several_values_make_a_batch() {
+    let bench = Bench::new();
+    let mut description = Description::of("3.0");
+    description.more =
+        r#"<Int8 name="gear" valueReference="103" causality="parameter" start="0"/>"#.into();
+    bench.fmu("plant.fmu", &description, &bench.library("NONE", "3.0", &[]));
+    let with = |parameters: &str| {
+        let more = format!("[unit.parameters]\n{parameters}");
+        bench.scenario(&[(2, "plant.fmu")], &more)
+    };
+    let scenario = with("gear = [1, 2]\nx0 = { from = 20, to = 21, runs = 3 }");
+    let csv = bench.text("table.csv");
+    let (code, out, err) = bench.run(&["cosim", &scenario, "--out", &csv]);
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    let table = fs::read_to_string(&csv).unwrap();
+    let rows: Vec<Vec<&str>> = table.lines().map(|l| l.split(',').collect()).collect();
+    assert_eq!(rows[0][..4], ["run", "plant2.gear", "plant2.x0", "collisions"]);
+    let values: Vec<String> = rows[1..].iter().map(|r| r[..3].join(" ")).collect();
+    assert_eq!(values, ["1 1 20", "2 1 41/2", "3 1 21", "4 2 20", "5 2 41/2", "6 2 21"]);
+    // It glides on from where it starts: 9 m, 8.5 m and 8 m from drone 3 to the right, and 2 m on.
+    let gaps: Vec<&str> = rows[1..].iter().map(|r| r[5]).collect();
+    assert_eq!(gaps[..3], gaps[3..]);
+    assert!(gaps[0] > gaps[1] && gaps[1] > gaps[2], "{gaps:?}");
+    assert!(bench.trace().contains(&"integer 2".to_owned()));
+    let again = bench.run(&["cosim", &scenario]);
+    assert_eq!((again.0, again.1.as_str()), (0, out.as_str()), "the same table");
+    for (parameters, part) in [
+        ("x0 = []", "s.toml:10:6: unit.parameters.x0: expected at least one value"),
+        ("x0 = [1, true]", "unit.parameters.x0: expected numbers"),
+        ("x0 = { from = 1, runs = 3 }", "unit.parameters.x0: to is missing"),
+        ("x0 = { from = 1, to = 2, runs = 1 }", "runs: expected 2 to 10000"),
+        ("x0 = { from = 1, to = 2, step = 1 }", "expected `from`, `to` and `runs`"),
+        ("gear = [0.5, 1]", "`1/2`: expected a whole number"),
+        ("x0 = { from = 0, to = 1, runs = 101 }\ny0 = { from = 0, to = 1, runs = 101 }", "too many runs"),
+    ] {
+        let (code, out, err) = bench.run(&["cosim", &with(parameters)]);
+        assert_eq!((code, out.as_str()), (2, ""), "{parameters}");
+        assert!(err.contains(part), "{parameters}: {err}");
+    }
+    let scenario = with("x0 = [20, 21]");
+    for (args, part) in [
+        (&["replay", &scenario, "--out", &bench.text("page.html")][..], "2 values: expected one in a run"),
+        (&["cosim", &scenario, "--exact"], "exact: expected one run"),
+        (&["cosim", &scenario, "--format", "json"], "format: expected `csv`"),
+    ] {
+        let (code, out, err) = bench.run(args);
+        assert_eq!((code, out.as_str()), (2, ""), "{args:?}");
+        assert!(err.contains(part), "{args:?}: {err}");
+    }
+    bench.expect_no_leftovers();
+}
+
+/// Killed with an FMU inside the process, the program leaves a folder that the next run removes.
+#[test]
+fn what_a_killed_process_leaves_the_next_one_removes() {
+    let bench = Bench::new();
+    bench.fmu("plant.fmu", &Description::of("2.0"), &bench.library("SEGFAULT", "2.0", &[]));
+    let scenario = bench.scenario(&[(2, "plant.fmu")], "");
+    let (code, _, _) = bench.run(&["cosim", &scenario, "--in-process"]);
+    assert_eq!(code, -1, "a signal");
+    let left = || fs::read_dir(bench.path("tmp")).unwrap().count();
+    assert_eq!(left(), 1);
+    bench.fmu("plant.fmu", &Description::of("2.0"), &bench.library("NONE", "2.0", &[]));
+    for mode in MODES {
+        assert_eq!(bench.run(&[&["cosim", &scenario], mode].concat()).0, 0);
+        bench.expect_no_leftovers();
+    }
+}
+
 #[test]
 fn variables_that_do_not_fit_are_refused_before_the_run() {
     let bench = Bench::new();

@@ -76,6 +76,11 @@ fn what_is_not_known_is_not_certified_and_what_is_no_one_system_is_refused() {
         assert_eq!((code, out.as_str()), (2, ""), "{file}");
         assert!(err.contains(reason), "{err}");
     }
+    let recorded = ["separation", "scenarios/paper.toml", "--compat", "recorded"];
+    let (code, out, err) = run(&recorded);
+    assert_eq!((code, out.as_str()), (2, ""));
+    assert!(err.contains("--compat: `recorded`: expected none"), "{err}");
+    assert_eq!(run(&recorded[..2]).0, 0);
     let (code, _, err) = run(&["separation", "scenarios/paper.toml", "--wind", "-1"]);
     assert_eq!(code, 2);
     assert!(err.contains("wind: `-1`: expected 0 or more m/s2"), "{err}");

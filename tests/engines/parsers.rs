@@ -9,7 +9,7 @@ use cordon_core::{Error, exact, range};
 use cordon_cosim::cosimulation::Cosimulation;
 use cordon_cosim::fmi::interface::FmiVersion;
 use cordon_cosim::fmi::package;
-use cordon_cosim::interchange::{Assembly, into_cps};
+use cordon_cosim::interchange::{self, Assembly, into_cps};
 use cordon_cosim::store;
 use cordon_proof::export::conjecture::Conjecture;
 use cordon_proof::export::smt_model::read_answer;
@@ -240,7 +240,7 @@ fn multi_models() {
     let path = folder.path().join("mm.json");
     smoke("multi-model", &[good], |bytes| {
         fs::write(&path, bytes).unwrap();
-        match into_cps::read(&path) {
+        match interchange::read(&path) {
             // Another name of an FMU is the name of a file that is not there.
             Err(Error::File { .. }) => Err(Error::input("no such FMU")),
             read => read.map(|_| ()),

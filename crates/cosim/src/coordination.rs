@@ -5,7 +5,7 @@
 //! projection theorem); the double for the controller is rounded once, at the output.
 
 mod machine;
-mod own;
+pub(crate) mod own;
 mod table;
 
 use cordon_spec::Phase;
@@ -228,6 +228,22 @@ impl Coordination {
         match slot {
             Slot::Weight => self.settings.weight = self.exact(variable, value)?,
             Slot::Start => self.settings.start = self.exact(variable, value)?,
+            Slot::StartOf(v) => {
+                let start = self.exact(variable, value)?;
+                if let Law::Own(law) = &mut self.settings.law
+                    && let Some(place) = law.start.get_mut(v)
+                {
+                    *place = start;
+                }
+            }
+            Slot::Constant(k) => {
+                let value = self.exact(variable, value)?;
+                if let Law::Own(law) = &mut self.settings.law
+                    && let Some((own, _)) = &mut law.open
+                {
+                    own.set(k, value);
+                }
+            }
             Slot::Period => self.settings.period = self.whole(variable, value, 1)?,
             Slot::FirstUpdate => {
                 let is_exact = self.settings.exchange == Exchange::Exact;
@@ -256,8 +272,16 @@ impl Coordination {
             }
             Slot::Id | Slot::Count => {
                 let whole = self.whole(variable, value, 0)? as usize;
-                if let Law::Coverage { id, count, .. } = &mut self.settings.law {
-                    *(if slot == Slot::Id { id } else { count }) = whole;
+                match &mut self.settings.law {
+                    Law::Coverage { id, count, .. } => {
+                        *(if slot == Slot::Id { id } else { count }) = whole;
+                    }
+                    Law::Own(law) => {
+                        if let Some((_, drone)) = &mut law.open {
+                            *drone = whole;
+                        }
+                    }
+                    Law::Consensus { .. } | Law::Formation { .. } => {}
                 }
             }
             Slot::Min | Slot::Max => {
@@ -294,6 +318,11 @@ impl Coordination {
             (Slot::Min, Law::Coverage { min, .. }) => Some(exact(min)),
             (Slot::Max, Law::Coverage { max, .. }) => Some(exact(max)),
             (Slot::Displacement, Law::Formation { displacement, .. }) => Some(exact(displacement)),
+            (Slot::StartOf(v), Law::Own(law)) => law.start.get(v).map(exact),
+            (Slot::Id, Law::Own(law)) => whole(law.open.as_ref()?.1),
+            (Slot::Constant(k), Law::Own(law)) => {
+                law.open.as_ref()?.0.constants().nth(k).map(|(_, x)| exact(x))
+            }
             _ => None,
         }
     }
@@ -340,9 +369,15 @@ impl Unit for Coordination {
     }
 
     fn initialise(&mut self, _: &Grid) -> Result<(), UnitError> {
-        if let Law::Coverage { id, count, .. } = self.settings.law
-            && id >= count
-        {
+        let beyond = match &mut self.settings.law {
+            Law::Coverage { id, count, .. } => (*id >= *count).then_some((*id, *count)),
+            Law::Own(law) => {
+                let settled = law.settle().err();
+                settled.zip(law.open.as_ref()).map(|(count, (_, id))| (*id, count))
+            }
+            Law::Consensus { .. } | Law::Formation { .. } => None,
+        };
+        if let Some((id, count)) = beyond {
             let place = self.place(Slot::Id).unwrap_or(usize::MAX);
             let what = format!("`{id}`: expected less than the number of drones, `{count}`");
             return Err(at_variable(self, place, what));
@@ -361,6 +396,10 @@ impl Unit for Coordination {
         if self.moved {
             let mut received = Vec::with_capacity(self.heard.len());
             for (i, value) in self.heard.iter().enumerate() {
+                if !self.machine.looks_at(i) {
+                    received.push(Quotient::from(&Rational::default()));
+                    continue;
+                }
                 let Some(x) = self.settings.exchange.receive(value) else {
                     let place = self.place(Slot::Heard(i)).unwrap_or(usize::MAX);
                     let what = format!("`{value}`: expected a finite position");

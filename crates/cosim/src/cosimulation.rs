@@ -10,6 +10,8 @@ use num_traits::Signed;
 use super::control::{self, Control, Gains};
 use super::coordination::{Coordination, Exchange, Law, OnLoss, OwnLaw, Settings, Slot};
 use super::faults;
+#[cfg(feature = "package")]
+use super::fmi::carried::Carried;
 use super::grid::Grid;
 use super::master::{Algorithm, Master};
 use super::own_flight;
@@ -268,6 +270,15 @@ impl Cosimulation {
         Coordination::new(Seat::coordination(drone).name(), settings)
     }
 
+    /// The coordination unit of a drone of a protocol file, as it is exported: its parameters say
+    /// whose it is. `None` of the program's own protocols.
+    #[cfg(feature = "package")]
+    pub(crate) fn open_coordination(&self, drone: usize) -> Option<Coordination> {
+        let carried = Carried::of(&self.scenario)?;
+        let settings = carried.settings(drone, self.exchange, self.on_loss);
+        Some(Coordination::new(Seat::coordination(drone).name(), settings))
+    }
+
     /// A variable of a drone's coordination unit.
     ///
     /// # Errors
@@ -341,6 +352,13 @@ impl Cosimulation {
     pub fn wiring(&self) -> Result<Wiring> {
         let mut wiring = self.wired_here()?;
         for substitute in &self.units {
+            if let Some((name, values)) = substitute.ranges.first_key_value() {
+                return Err(Error::input(format!(
+                    "unit.parameters.{name}: {} values: expected one in a run: `cordon cosim` flies a run \
+                     for each",
+                    values.len()
+                )));
+            }
             let seat = Seat { drone: substitute.drone, unit: substitute.unit };
             wiring.substitute(seat.place(), |unit| (self.load.0)(substitute, unit))?;
         }

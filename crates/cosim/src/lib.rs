@@ -16,6 +16,8 @@ pub mod quotient;
 pub mod unit;
 
 #[cfg(feature = "swarm")]
+pub mod batch;
+#[cfg(feature = "swarm")]
 pub mod closed_loop;
 #[cfg(feature = "swarm")]
 pub mod collision;

@@ -1,58 +1,12 @@
-//! What a protocol file has each drone of a flight do, and whether it can fly.
+//! Whether drones can fly a protocol file, and where they are at its start.
 
-use std::collections::BTreeSet;
-
-use num_traits::Zero;
-
-use crate::coordination::OwnLaw;
-use cordon_core::system::{Map, System};
+use crate::coordination::own::{POSITION, position_of};
+use cordon_core::system::System;
 use cordon_core::{Error, Rational, Result};
 use cordon_run::scenario::Own;
 
-/// The state variable along which drones fly, in m.
-const POSITION: &str = "x";
-
-impl OwnLaw {
-    /// The share of a drone. Where the protocol leaves choices, every link works, every drone acts
-    /// and no message is late: what goes wrong in a flight, its faults say.
-    pub fn of(own: &Own, start: &[Rational], drone: usize) -> Self {
-        let variables: Vec<String> = names(&own.system);
-        let per_agent = variables.len();
-        let own_places = drone * per_agent..(drone + 1) * per_agent;
-        let maps = own.cycle().unwrap_or_default();
-        let rows = |map: &Map| map.rows.get(own_places.clone()).unwrap_or_default().to_vec();
-        let maps: Vec<_> = maps.iter().map(rows).collect();
-        let columns = maps.iter().flatten().flat_map(|(_, row)| row.iter().map(|(j, _)| *j));
-        let others: BTreeSet<usize> = columns.filter(|j| !own_places.contains(j)).collect();
-        let coefficient = |row: &[(usize, Rational)], column: usize| {
-            let found = row.iter().find(|(j, _)| *j == column);
-            found.map_or_else(Rational::zero, |(_, a)| a.clone())
-        };
-        let update = |rows: &Vec<(Rational, Vec<(usize, Rational)>)>| {
-            let of = |(constant, row): &(Rational, Vec<(usize, Rational)>)| {
-                let own = own_places.clone().map(|j| coefficient(row, j)).collect();
-                let heard = others.iter().map(|&j| coefficient(row, j)).collect();
-                [vec![constant.clone()], own, heard]
-            };
-            rows.iter().map(of).collect()
-        };
-        Self {
-            position: position_of(&own.system),
-            start: start.get(own_places.clone()).unwrap_or_default().to_vec(),
-            heard: others.iter().map(|j| (j / per_agent, j % per_agent)).collect(),
-            updates: maps.iter().map(update).collect(),
-            variables,
-        }
-    }
-}
-
 fn names(system: &System) -> Vec<String> {
     system.variables.iter().map(|v| v.name.clone()).collect()
-}
-
-/// Which variable of an agent is its position: `x`, or the only one.
-fn position_of(system: &System) -> usize {
-    system.variables.iter().position(|v| v.name == POSITION).unwrap_or(0)
 }
 
 /// The position of a drone at the start.

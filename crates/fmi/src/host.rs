@@ -1,6 +1,6 @@
 //! The child process's side: one instance, which does what it is told over a stream.
 
-use std::io::{Read, Write};
+use std::io::{BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -12,11 +12,13 @@ use crate::message::{self, Order, Reply};
 ///
 /// # Errors
 /// The stream cannot be written.
-pub fn serve(stream: &mut (impl Read + Write)) -> std::io::Result<()> {
+pub fn serve(stream: impl Read + Write + Copy) -> std::io::Result<()> {
+    // A message a call of the system: the length and what follows come together.
+    let (mut reader, mut writer) = (BufReader::new(stream), stream);
     let mut instance: Option<Instance> = None;
     let mut folder: Option<PathBuf> = None;
     loop {
-        let Ok(order) = message::read(stream) else {
+        let Ok(order) = message::read(&mut reader) else {
             // The parent process has died: nobody else removes the unpacked archive.
             drop(instance);
             if let Some(folder) = folder {
@@ -42,7 +44,7 @@ pub fn serve(stream: &mut (impl Read + Write)) -> std::io::Result<()> {
             (Order::Finish, _) => {
                 drop(instance.take());
                 return message::write(
-                    stream,
+                    &mut writer,
                     &Reply { result: Ok(Vec::new()), notes: Vec::new() },
                 );
             }
@@ -50,7 +52,7 @@ pub fn serve(stream: &mut (impl Read + Write)) -> std::io::Result<()> {
                 Reply { result: Err("there is no instance".to_owned()), notes: Vec::new() }
             }
         };
-        message::write(stream, &answer)?;
+        message::write(&mut writer, &answer)?;
     }
 }
 

@@ -1,6 +1,6 @@
 //! The parent's side of an instance in a child process.
 
-use std::io;
+use std::io::{self, BufReader};
 use std::os::fd::{AsFd, OwnedFd};
 use std::os::unix::net::UnixStream;
 use std::os::unix::process::{CommandExt, ExitStatusExt};
@@ -16,7 +16,8 @@ const FAREWELL: Duration = Duration::from_secs(5);
 /// An instance in a child process. Dropping it terminates the instance and ends the process.
 pub struct Remote {
     child: Child,
-    stream: UnixStream,
+    /// Reads a message in one call of the system; it is written to as it is.
+    stream: BufReader<UnixStream>,
     limit: Duration,
     dead: bool,
 }
@@ -39,7 +40,7 @@ impl Remote {
             .process_group(0)
             .spawn()
             .map_err(failed)?;
-        let mut remote = Self { child, stream, limit, dead: false };
+        let mut remote = Self { child, stream: BufReader::new(stream), limit, dead: false };
         remote.call(&Order::Load(fmu))?.result?;
         Ok(remote)
     }
@@ -63,7 +64,7 @@ impl Remote {
         if self.dead {
             return Err("its process has ended".to_owned());
         }
-        let sent = message::write(&mut self.stream, order);
+        let sent = message::write(self.stream.get_mut(), order);
         let answer = sent.and_then(|()| message::read(&mut self.stream));
         answer.map_err(|e| {
             self.dead = true;
@@ -85,7 +86,7 @@ impl Remote {
 
 impl Drop for Remote {
     fn drop(&mut self) {
-        if !self.dead && self.stream.set_read_timeout(Some(FAREWELL)).is_ok() {
+        if !self.dead && self.stream.get_ref().set_read_timeout(Some(FAREWELL)).is_ok() {
             // What it says in the end changes nothing.
             let _ = self.call(&Order::Finish);
         }

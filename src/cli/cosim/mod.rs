@@ -1,5 +1,6 @@
 //! `cordon cosim`.
 
+mod batch;
 mod summary;
 
 use std::io::Write;
@@ -14,6 +15,7 @@ use crate::cli::separation;
 use cordon_core::text::Printable;
 use cordon_core::{Error, Outcome, Result};
 use cordon_core::{exact, files};
+use cordon_cosim::batch::Batch;
 use cordon_cosim::cosimulation::{Cosimulation, Loader};
 use cordon_cosim::fmi::import::{Isolation, substitute};
 use cordon_cosim::store::{self, Format};
@@ -190,6 +192,9 @@ impl FlightArgs {
 pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let out_format = args.out.as_deref().map(|path| args.format_of(path)).transpose()?;
     let swarm = args.flight.swarm(&args.scenario)?;
+    if let Some(batch) = Batch::of(&swarm)? {
+        return batch::run(args, &swarm, &batch, out);
+    }
     if args.exact && !swarm.units.is_empty() {
         return Err(Error::input("exact: expected units of this program: FMUs compute in doubles"));
     }

@@ -93,12 +93,7 @@ fn events(record: &Record, out: &mut dyn Write) -> Result<()> {
 
 /// The smallest gap of neighbours at the grid points.
 fn smallest_gap(record: &Record, known: Option<&Rational>, out: &mut dyn Write) -> Result<()> {
-    let at = |row: usize| {
-        let gaps = record.actual_at(row).windows(2).map(|x| x[1] - x[0]).enumerate();
-        gaps.map(move |(i, gap)| (gap, i, row))
-    };
-    let least = (0..record.rows()).flat_map(at).min_by(|a, b| a.0.total_cmp(&b.0));
-    let Some((gap, i, row)) = least.filter(|_| record.events.is_some()) else { return Ok(()) };
+    let Some((gap, i, row)) = least_gap(record) else { return Ok(()) };
     let time = record.times.get(row).copied().unwrap_or_default();
     let only = Evidence::ThisRunOnly;
     write!(out, "smallest gap {gap:.4} m, of drones {i} and {} at {time:.2} s ({only})", i + 1)?;
@@ -107,6 +102,17 @@ fn smallest_gap(record: &Record, known: Option<&Rational>, out: &mut dyn Write) 
     }
     writeln!(out)?;
     Ok(())
+}
+
+/// The smallest gap of neighbours at the grid points, the drone before it, and the row; `None` where
+/// no gaps were looked at.
+pub fn least_gap(record: &Record) -> Option<(f64, usize, usize)> {
+    let at = |row: usize| {
+        let gaps = record.actual_at(row).windows(2).map(|x| x[1] - x[0]).enumerate();
+        gaps.map(move |(i, gap)| (gap, i, row))
+    };
+    let least = (0..record.rows()).flat_map(at).min_by(|a, b| a.0.total_cmp(&b.0));
+    least.filter(|_| record.events.is_some())
 }
 
 /// An event in words.

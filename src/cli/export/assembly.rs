@@ -29,19 +29,31 @@ pub struct ExportArgs {
     binary: BinaryArg,
 }
 
-fn assembly(args: &ExportArgs) -> Result<(Assembly, FmiVersion, Vec<u8>)> {
+fn assembly(args: &ExportArgs, format: Format) -> Result<(Assembly, FmiVersion, Vec<u8>)> {
     // Not every tool connects texts, and some read them as empty in silence.
     let swarm = args.flight.swarm_exchanging(&args.scenario, "double")?;
     if !args.out.is_dir() {
         files::expect_writable(&args.out)?;
     }
-    let assembly = args.scenario.in_file(Assembly::of(&swarm))?;
+    let assembly = Assembly::of(&swarm).and_then(|assembly| match format {
+        Format::IntoCps => Ok(assembly),
+        Format::Ssp => assembly.with_first_inputs(&swarm),
+    });
+    let assembly = args.scenario.in_file(assembly)?;
     Ok((assembly, args.fmi.into(), binary::load(args.binary.binary.as_deref())?))
+}
+
+/// Which of the two is written.
+#[derive(Clone, Copy)]
+enum Format {
+    IntoCps,
+    /// Not every importer sends in the first step what the outputs are then.
+    Ssp,
 }
 
 /// Writes an INTO-CPS multi-model.
 pub(super) fn into_cps(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome> {
-    let (assembly, version, binary) = assembly(args)?;
+    let (assembly, version, binary) = assembly(args, Format::IntoCps)?;
     let model = into_cps::multi_model(&assembly);
     let text = serde_json::to_vec_pretty(&model)
         .map_err(|e| Error::internal(format!("the multi-model cannot be written: {e}")))?;
@@ -68,7 +80,7 @@ pub(super) fn into_cps(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome
 
 /// Writes an SSP archive.
 pub(super) fn ssp(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome> {
-    let (assembly, version, binary) = assembly(args)?;
+    let (assembly, version, binary) = assembly(args, Format::Ssp)?;
     let archive = ssp::archive(&assembly, version, &binary)?;
     files::write_atomically(&args.out, &archive)?;
     writeln!(out, "{}: SSP 1.0, FMI {version}, {}", args.out.display(), size(&assembly))?;

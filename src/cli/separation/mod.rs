@@ -125,6 +125,11 @@ fn applies(swarm: &Cosimulation) -> Result<()> {
             unit.fmu.display()
         )));
     }
+    if swarm.recorded {
+        return Err(Error::input(
+            "compat: `recorded`: expected none: what is certified has exact constants and positions",
+        ));
+    }
     if !swarm.faults.is_empty() {
         return Err(Error::input(
             "fault: expected none: where messages are lost or late the smallest gap may fall",

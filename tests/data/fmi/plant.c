@@ -1,5 +1,5 @@
 /* A plant for tests of the import: 4 inputs (value references 0 to 3), 12 outputs (4 to 15), the
-   parameters x0, y0, z0 (100 to 102); x grows by the step each step. FAULT says what goes wrong in
+   parameters x0, y0, z0 (100 to 102), an integer (103), a Boolean (104) and a text (105); x grows by the step each step. FAULT says what goes wrong in
    step 20; FMI is the version of the standard. CORDON_TEST_TRACE names a file for the calls. */
 #include <math.h>
 #include <stdbool.h>
@@ -26,6 +26,8 @@ typedef struct {
 
 typedef struct {
     double in[4], out[12], start[3];
+    int whole, flag;
+    char label[32];
     const callbacks *callbacks;
     logger3 logger3;
     void *environment;
@@ -79,6 +81,24 @@ static int get(plant *p, const unsigned *references, size_t count, double *value
         unsigned r = references[k];
         values[k] = r < 4 ? p->in[r] : r < 16 ? p->out[r - 4] : r < 103 ? p->start[r - 100] : 0;
     }
+    return 0;
+}
+
+static int set_whole(plant *p, long value) {
+    trace("integer", value);
+    if (FAULT != FORGETFUL) p->whole = value;
+    return 0;
+}
+
+static int set_flag(plant *p, bool value) {
+    trace("boolean", value);
+    if (FAULT != FORGETFUL) p->flag = value;
+    return 0;
+}
+
+static int set_label(plant *p, const char *value) {
+    trace(value, strlen(value));
+    if (FAULT != FORGETFUL) snprintf(p->label, sizeof p->label, "%s", value);
     return 0;
 }
 
@@ -147,6 +167,12 @@ void fmi2FreeInstance(plant *p) { released(p); }
 int fmi2GetReal(plant *p, const unsigned *r, size_t n, double *v) { return get(p, r, n, v); }
 int fmi2SetReal(plant *p, const unsigned *r, size_t n, const double *v) { return set(p, r, n, v); }
 int fmi2DoStep(plant *p, double from, double size, int prior) { return step(p, from, size); }
+int fmi2GetInteger(plant *p, const unsigned *r, size_t n, int *v) { *v = p->whole; return 0; }
+int fmi2SetInteger(plant *p, const unsigned *r, size_t n, const int *v) { return set_whole(p, *v); }
+int fmi2GetBoolean(plant *p, const unsigned *r, size_t n, int *v) { *v = p->flag; return 0; }
+int fmi2SetBoolean(plant *p, const unsigned *r, size_t n, const int *v) { return set_flag(p, *v); }
+int fmi2GetString(plant *p, const unsigned *r, size_t n, const char **v) { *v = p->label; return 0; }
+int fmi2SetString(plant *p, const unsigned *r, size_t n, const char *const *v) { return set_label(p, *v); }
 int fmi2GetStatus(plant *p, int kind, int *status) { *status = 0; return 0; }
 #else
 void *fmi3InstantiateCoSimulation(const char *name, const char *token, const char *resources,
@@ -171,6 +197,14 @@ int fmi3GetFloat64(plant *p, const unsigned *r, size_t n, double *v, size_t m) {
 int fmi3SetFloat64(plant *p, const unsigned *r, size_t n, const double *v, size_t m) {
     return set(p, r, n, v);
 }
+int fmi3GetInt8(plant *p, const unsigned *r, size_t n, int8_t *v, size_t m) { *v = p->whole; return 0; }
+int fmi3SetInt8(plant *p, const unsigned *r, size_t n, const int8_t *v, size_t m) { return set_whole(p, *v); }
+int fmi3GetUInt64(plant *p, const unsigned *r, size_t n, uint64_t *v, size_t m) { *v = p->whole; return 0; }
+int fmi3SetUInt64(plant *p, const unsigned *r, size_t n, const uint64_t *v, size_t m) { return set_whole(p, *v); }
+int fmi3GetBoolean(plant *p, const unsigned *r, size_t n, bool *v, size_t m) { *v = p->flag; return 0; }
+int fmi3SetBoolean(plant *p, const unsigned *r, size_t n, const bool *v, size_t m) { return set_flag(p, *v); }
+int fmi3GetString(plant *p, const unsigned *r, size_t n, const char **v, size_t m) { *v = p->label; return 0; }
+int fmi3SetString(plant *p, const unsigned *r, size_t n, const char *const *v, size_t m) { return set_label(p, *v); }
 int fmi3DoStep(plant *p, double from, double size, bool prior, bool *event, bool *end, bool *early,
                double *last) {
     *event = *end = *early = false;

@@ -100,6 +100,14 @@ impl Machine {
         }
     }
 
+    /// Whether an update looks at an input.
+    pub(super) fn looks_at(&self, input: usize) -> bool {
+        match self {
+            Self::Own(own) => own.looks_at(input),
+            Self::Local(..) | Self::Star(..) => true,
+        }
+    }
+
     /// One tick; the drone's new position. `heard` has the neighbours' positions in order, or
     /// is empty where the tick is no update.
     pub(super) fn tick(&mut self, heard: Vec<Quotient>) -> Option<Quotient> {

@@ -1,5 +1,7 @@
 //! One drone's share of a protocol file: the rows of its own variables.
 
+use std::collections::BTreeSet;
+
 use cordon_spec::{Phase, Scalar};
 use num_traits::Zero;
 
@@ -7,6 +9,16 @@ use super::Law;
 use crate::quotient::Quotient;
 use crate::unit::Value;
 use cordon_core::Rational;
+use cordon_core::system::{Map, System};
+use cordon_run::scenario::Own;
+
+/// The state variable along which drones fly, in m.
+pub(crate) const POSITION: &str = "x";
+
+/// Which variable of an agent is its position: `x`, or the only one.
+pub(crate) fn position_of(system: &System) -> usize {
+    system.variables.iter().position(|v| v.name == POSITION).unwrap_or(0)
+}
 
 /// What a protocol file has one drone do: the same in every step, or rules in turn.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,16 +34,98 @@ pub struct OwnLaw {
     /// Of each update in turn a row for each variable: the constant, coefficients of the own
     /// variables, coefficients of what is heard.
     pub updates: Vec<Vec<[Vec<Rational>; 3]>>,
+    /// Of a unit whose parameters say which drone it is and what the protocol's parameters are: the
+    /// protocol, and the drone.
+    pub open: Option<(Own, usize)>,
 }
 
 impl OwnLaw {
-    /// The name of the input at which variable `v` of drone `j` is heard.
-    pub fn input(&self, j: usize, v: usize) -> String {
-        match self.variables.get(v).filter(|_| v != self.position) {
-            Some(name) => format!("heard_{j}_{name}"),
-            None => format!("heard_{j}"),
+    /// The share of a drone. Where the protocol leaves choices, every link works, every drone acts
+    /// and no message is late: what goes wrong in a flight, its faults say.
+    pub fn of(own: &Own, start: &[Rational], drone: usize) -> Self {
+        let maps = own.cycle().unwrap_or_default();
+        let mine = places(own, drone);
+        let rows = maps.iter().flat_map(|map| map.rows.get(mine.clone()).unwrap_or_default());
+        let columns = rows.flat_map(|(_, row)| row.iter().map(|(j, _)| *j));
+        let others: BTreeSet<usize> = columns.filter(|j| !mine.contains(j)).collect();
+        let per_agent = own.system.variables.len();
+        let heard = others.iter().map(|j| (j / per_agent, j % per_agent)).collect();
+        Self::hearing(own, start, drone, heard)
+    }
+
+    /// The share of a drone that hears every variable of every drone, itself included, and looks at
+    /// those of its rule: a unit that can be made any drone's.
+    pub fn open(own: &Own, start: &[Rational], drone: usize) -> Self {
+        let variables = 0..own.system.variables.len();
+        let every = |j: usize| variables.clone().map(move |v| (j, v));
+        let heard = (0..own.system.agents).flat_map(every).collect();
+        let open = Some((own.clone(), drone));
+        Self { open, ..Self::hearing(own, start, drone, heard) }
+    }
+
+    fn hearing(own: &Own, start: &[Rational], drone: usize, heard: Vec<(usize, usize)>) -> Self {
+        Self {
+            variables: own.system.variables.iter().map(|v| v.name.clone()).collect(),
+            position: position_of(&own.system),
+            start: start.get(places(own, drone)).unwrap_or_default().to_vec(),
+            updates: updates(own, drone, &heard),
+            heard,
+            open: None,
         }
     }
+
+    /// Reads the rule of an open unit anew, as its parameters are now.
+    ///
+    /// # Errors
+    /// There is no such drone: how many there are.
+    pub(super) fn settle(&mut self) -> Result<(), usize> {
+        let Some((own, drone)) = &self.open else { return Ok(()) };
+        if *drone >= own.system.agents {
+            return Err(own.system.agents);
+        }
+        self.updates = updates(own, *drone, &self.heard);
+        Ok(())
+    }
+
+    /// The name of the input at which variable `v` of drone `j` is heard.
+    pub fn input(&self, j: usize, v: usize) -> String {
+        self.named(&format!("heard_{j}"), v)
+    }
+
+    /// The name of a variable that there is for every state variable: that of the position is the
+    /// plain one.
+    pub fn named(&self, plain: &str, v: usize) -> String {
+        match self.variables.get(v).filter(|_| v != self.position) {
+            Some(name) => format!("{plain}_{name}"),
+            None => plain.to_owned(),
+        }
+    }
+}
+
+/// The places of a drone's variables in the state.
+fn places(own: &Own, drone: usize) -> std::ops::Range<usize> {
+    let per_agent = own.system.variables.len();
+    drone * per_agent..(drone + 1) * per_agent
+}
+
+/// The rows of a drone in each update in turn.
+fn updates(own: &Own, drone: usize, heard: &[(usize, usize)]) -> Vec<Vec<[Vec<Rational>; 3]>> {
+    let per_agent = own.system.variables.len();
+    let mine = places(own, drone);
+    let others = heard.iter().map(|(j, v)| j * per_agent + v);
+    // What it hears of itself it knows already.
+    let others: Vec<_> = others.map(|j| Some(j).filter(|j| !mine.contains(j))).collect();
+    let coefficient = |row: &[(usize, Rational)], column: Option<usize>| {
+        let found = row.iter().find(|(j, _)| Some(*j) == column);
+        found.map_or_else(Rational::zero, |(_, a)| a.clone())
+    };
+    let of = |(constant, row): &(Rational, Vec<(usize, Rational)>)| {
+        let own = mine.clone().map(|j| coefficient(row, Some(j))).collect();
+        let heard = others.iter().map(|&j| coefficient(row, j)).collect();
+        [vec![constant.clone()], own, heard]
+    };
+    let rows = |map: &Map| map.rows.get(mine.clone()).unwrap_or_default().iter().map(of).collect();
+    own.cycle().unwrap_or_default().iter().map(rows).collect()
 }
 
 impl Law {
@@ -74,6 +168,12 @@ impl OwnMachine {
 
     pub fn fires(&self) -> bool {
         self.counter == self.limit
+    }
+
+    /// Whether some rule looks at an input.
+    pub fn looks_at(&self, input: usize) -> bool {
+        let mut rows = self.law.updates.iter().flatten();
+        rows.any(|[_, _, heard]| heard.get(input).is_some_and(|a| !a.is_zero()))
     }
 
     /// One tick; the new position. `heard` is read where the tick is an update.

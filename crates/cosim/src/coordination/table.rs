@@ -34,6 +34,11 @@ pub enum Slot {
     Weight,
     /// Parameter `start`: the desired position at the start, in m.
     Start,
+    /// Parameter: another state variable of a protocol file than the position, at the start.
+    StartOf(usize),
+    /// Parameter `parameters.eps`: a protocol file's parameter, by its place among those that are
+    /// numbers throughout.
+    Constant(usize),
     /// Parameter `period`, in ticks.
     Period,
     /// Parameter `first_update`, `first` or `last`; or `update_last`, where numbers are doubles.
@@ -120,18 +125,18 @@ fn outputs(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
         output(Slot::Own, "own", own, "desired position, exact");
     }
     let Law::Own(law) = &settings.law else { return };
-    for (v, (name, start)) in law.variables.iter().zip(&law.start).enumerate() {
+    for (v, start) in law.start.iter().enumerate() {
         if v != law.position {
             let start = settings.exchange.send(&Quotient::from(start));
             let (none, text) = (Dimension::NONE, "state variable, as it travels to other drones");
-            let name = format!("own_{name}");
+            let name = law.named("own", v);
             rows.push((Slot::Beside(v), Variable::new(name, none, Causality::Output, start, text)));
         }
     }
 }
 
 fn parameters(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
-    let mut parameter = |slot, name: &str, dimension, start, text| {
+    let mut parameter = |slot, name: &str, dimension, start, text: &'static str| {
         rows.push((slot, Variable::new(name, dimension, Causality::Parameter, start, text)));
     };
     let exact = |x: &Rational| settings.exchange.parameter(x);
@@ -149,7 +154,21 @@ fn parameters(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
             let text = "sum of the wanted displacements from the neighbours";
             parameter(Slot::Displacement, "displacement", metre, exact(displacement), text);
         }
-        Law::Consensus { .. } | Law::Own(_) => {}
+        Law::Own(law) => {
+            if let Some((own, drone)) = &law.open {
+                parameter(Slot::Id, "id", none, whole(*drone), "the drone's identifier, from 0");
+                for (k, (p, x)) in own.constants().enumerate() {
+                    let text = "parameter of the protocol";
+                    let name = format!("parameters.{}", p.name);
+                    parameter(Slot::Constant(k), &name, none, exact(x), text);
+                }
+                for (v, start) in law.start.iter().enumerate().filter(|(v, _)| *v != law.position) {
+                    let (name, text) = (law.named("start", v), "state variable at the start");
+                    parameter(Slot::StartOf(v), &name, none, exact(start), text);
+                }
+            }
+        }
+        Law::Consensus { .. } => {}
     }
     let s = settings;
     // A protocol file's weights are in its rule.

@@ -1,11 +1,14 @@
 //! Reading FMUs: the archive, and the binaries in it.
 
 use std::fs::File;
-use std::io::{BufReader, Read};
+use std::io::{BufReader, Cursor, Read, Seek};
 use std::path::{Path, PathBuf};
 
 use zip::ZipArchive;
 
+use super::carried::{self, Carried};
+#[cfg(feature = "fmi-import")]
+use super::import::folder::Folder;
 use super::interface::{FmiVersion, Model};
 use super::model_description::{FmuVariable, ModelDescription};
 use super::package::platform;
@@ -18,6 +21,8 @@ pub struct Fmu {
     pub path: PathBuf,
     /// What its model description says.
     description: ModelDescription,
+    /// The model of this program that it was exported from.
+    model: Option<Model>,
     /// Platforms that it has binaries for.
     platforms: Vec<String>,
     /// Paths of all its files.
@@ -35,23 +40,22 @@ impl Fmu {
         let fail = |what: String| Error::input(format!("`{}`: {what}", path.display()));
         let mut archive = opened(path)?;
         let files: Vec<String> = archive.file_names().map(str::to_owned).collect();
-        let description = archive
-            .by_name("modelDescription.xml")
-            .map_err(|e| fail(format!("expected an FMU with a `modelDescription.xml`: {e}")))?;
-        let mut text = String::new();
-        description
-            .take(LARGEST_DESCRIPTION + 1)
-            .read_to_string(&mut text)
-            .map_err(|e| fail(format!("its `modelDescription.xml` cannot be read: {e}")))?;
-        if u64::try_from(text.len()).is_ok_and(|length| length > LARGEST_DESCRIPTION) {
-            return Err(fail(format!(
-                "its `modelDescription.xml` is too large: expected at most {LARGEST_DESCRIPTION} bytes"
-            )));
-        }
-        Self::from_description(path, &text, files).map_err(fail)
+        let text = entry(&mut archive, "modelDescription.xml", "an FMU").map_err(fail)?;
+        Self::from_description(path, &text, files, || {
+            let [scenario, protocol] = [carried::SCENARIO, carried::PROTOCOL].map(|name| {
+                entry(&mut archive, &format!("resources/{name}"), "a protocol's FMU").map_err(fail)
+            });
+            Carried::parse(&path.join("resources"), &scenario?, protocol?)
+        })
     }
 
-    fn from_description(path: &Path, text: &str, files: Vec<String>) -> Result<Self, String> {
+    fn from_description(
+        path: &Path,
+        text: &str,
+        files: Vec<String>,
+        carried: impl FnOnce() -> Result<Carried>,
+    ) -> Result<Self> {
+        let fail = |what: String| Error::input(format!("`{}`: {what}", path.display()));
         let mut platforms: Vec<String> = files
             .iter()
             .filter_map(|f| f.strip_prefix("binaries/")?.split_once('/'))
@@ -59,14 +63,14 @@ impl Fmu {
             .collect();
         platforms.sort();
         platforms.dedup();
-        let description = ModelDescription::read(text)?;
-        Ok(Self { path: path.to_owned(), description, platforms, files })
+        let description = ModelDescription::read(text).map_err(fail)?;
+        let model = Model::of_token(description.version, &description.token, carried)?;
+        Ok(Self { path: path.to_owned(), description, model, platforms, files })
     }
 
     /// The model of this program that the FMU was exported from.
-    pub fn model(&self) -> Option<Model> {
-        let ModelDescription { version, token, .. } = &self.description;
-        Model::ALL.into_iter().find(|m| m.token(*version) == *token)
+    pub fn model(&self) -> Option<&Model> {
+        self.model.as_ref()
     }
 
     /// Version of the standard.
@@ -108,8 +112,8 @@ impl Fmu {
     }
 }
 
-/// Most bytes of a model description: hundreds of thousands of variables.
-const LARGEST_DESCRIPTION: u64 = 1 << 26;
+/// Most bytes of a text: a model description of hundreds of thousands of variables.
+const LARGEST_TEXT: u64 = 1 << 26;
 
 /// Most bytes of all files of an archive, unpacked.
 const LARGEST_CONTENT: u64 = 1 << 30;
@@ -117,13 +121,36 @@ const LARGEST_CONTENT: u64 = 1 << 30;
 /// Most files of an archive.
 const MOST_FILES: usize = 100_000;
 
-/// Opens an archive, which has to be within the limits.
-fn opened(path: &Path) -> Result<ZipArchive<BufReader<File>>> {
+/// What an archive is read from: a file, or the memory that holds a file of another archive.
+pub(crate) trait Stored: Read + Seek {}
+
+impl<T: Read + Seek> Stored for T {}
+
+/// An archive that is read.
+pub(crate) type Archive = ZipArchive<Box<dyn Stored>>;
+
+/// Opens an archive, which has to be within the limits. A path may lead into another archive:
+/// `system.ssp/resources/plant.fmu`.
+pub(crate) fn opened(path: &Path) -> Result<Archive> {
+    let outer = path.ancestors().skip(1).find(|a| a.is_file());
+    let (Some(outer), false) = (outer, path.is_file()) else {
+        let file = File::open(path).map_err(|e| Error::file("read", path, e))?;
+        files::is_input(path);
+        return archive(path, Box::new(BufReader::new(file)));
+    };
+    let inside = path.strip_prefix(outer).unwrap_or(path).to_string_lossy().replace('\\', "/");
+    let mut outer = opened(outer)?;
+    let mut bytes = Vec::new();
+    let read = outer.by_name(&inside).map_err(std::io::Error::other);
+    let read = read.and_then(|entry| entry.take(LARGEST_CONTENT).read_to_end(&mut bytes));
+    read.map_err(|e| Error::file("read", path, e))?;
+    archive(path, Box::new(Cursor::new(bytes)))
+}
+
+fn archive(path: &Path, stored: Box<dyn Stored>) -> Result<Archive> {
     let fail = |what: String| Error::input(format!("`{}`: {what}", path.display()));
-    let file = File::open(path).map_err(|e| Error::file("read", path, e))?;
-    files::is_input(path);
-    let archive = ZipArchive::new(BufReader::new(file))
-        .map_err(|e| fail(format!("expected an FMU, a whole zip archive: {e}")))?;
+    let archive = ZipArchive::new(stored)
+        .map_err(|e| fail(format!("expected a whole zip archive: {e}")))?;
     if archive.len() > MOST_FILES {
         let found = archive.len();
         return Err(fail(format!("it has {found} files: expected at most {MOST_FILES}")));
@@ -137,17 +164,37 @@ fn opened(path: &Path) -> Result<ZipArchive<BufReader<File>>> {
     }
 }
 
+/// A text of an archive, by its path inside. `what` is what has such a file, for messages.
+pub(crate) fn entry(
+    archive: &mut Archive,
+    name: &str,
+    what: &str,
+) -> Result<String, String> {
+    let entry = archive.by_name(name);
+    let entry = entry.map_err(|e| format!("expected {what} with a `{name}`: {e}"))?;
+    let mut bytes = Vec::new();
+    entry
+        .take(LARGEST_TEXT + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|e| format!("its `{name}` cannot be read: {e}"))?;
+    if u64::try_from(bytes.len()).is_ok_and(|length| length > LARGEST_TEXT) {
+        return Err(format!("its `{name}` is too large: expected at most {LARGEST_TEXT} bytes"));
+    }
+    // What is no UTF-8 is what older tools write, ISO 8859-1: its bytes are Unicode's numbers.
+    let latin = |e: std::string::FromUtf8Error| e.as_bytes().iter().copied().map(char::from).collect();
+    Ok(String::from_utf8(bytes).unwrap_or_else(latin))
+}
+
 #[cfg(feature = "fmi-import")]
 impl Fmu {
     /// Unpacks the archive into a temporary folder.
     ///
     /// # Errors
     /// It cannot be unpacked, a path in it leads out of it, or it is too large.
-    pub(super) fn unpack(&self) -> Result<tempfile::TempDir> {
+    pub(super) fn unpack(&self) -> Result<Folder> {
         let fail = |what: String| Error::input(format!("`{}`: {what}", self.path.display()));
         let failed = |e: &dyn std::fmt::Display| fail(format!("it cannot be unpacked: {e}"));
-        let folder = tempfile::Builder::new().prefix("cordon-fmu-").tempdir();
-        let folder = folder.map_err(|e| Error::file("create", &std::env::temp_dir(), e))?;
+        let folder = Folder::new()?;
         let mut archive = opened(&self.path)?;
         let mut left = LARGEST_CONTENT;
         for place in 0..archive.len() {
@@ -188,15 +235,26 @@ mod tests {
 
     use super::*;
     use crate::fmi::description::model_description;
+    use crate::fmi::interface::Positions;
+    use cordon_run::scenario::parse;
 
     #[test]
     fn reads_back_every_model_description() {
         let mut compared = 0;
-        for model in Model::ALL {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/own/platoon.toml");
+        let text = format!("protocol = '{file}'\nstart = [0, 0, 0.25, 0, 0, 0, 0, 0, 0, 0]");
+        let own = parse("test", &text).unwrap().finish().unwrap();
+        let carried = Carried::of(&own).unwrap();
+        let own = Model::coordination(Positions::Double, &own).unwrap();
+        for model in Model::PLAIN.into_iter().chain([own]) {
             for version in [FmiVersion::V2, FmiVersion::V3] {
-                let text = String::from_utf8(model_description(model, version).unwrap()).unwrap();
-                let fmu = Fmu::from_description(Path::new("x.fmu"), &text, Vec::new()).unwrap();
-                assert_eq!((fmu.version(), fmu.model()), (version, Some(model)));
+                let text = String::from_utf8(model_description(&model, version).unwrap()).unwrap();
+                let [(_, scenario), (_, protocol)] = carried.files();
+                let carried = || Carried::parse(Path::new("resources"), &scenario, protocol);
+                let path = Path::new("x.fmu");
+                let fmu = Fmu::from_description(path, &text, Vec::new(), carried).unwrap();
+                assert_eq!(fmu.version(), version);
+                assert_eq!(fmu.model().map(Model::identifier), Some(model.identifier()));
                 assert_eq!(fmu.description.model_name, model.identifier());
                 for (place, v) in model.variables().iter().enumerate() {
                     let read = fmu.variable(&v.name).unwrap();
@@ -208,6 +266,6 @@ mod tests {
                 assert_eq!(fmu.description.variables.len(), model.variables().len() + time);
             }
         }
-        assert_eq!(compared, 2 * (14 + 13 + 13 + 32 + 30));
+        assert_eq!(compared, 2 * (14 + 13 + 13 + 32 + 30 + 18));
     }
 }

@@ -9,6 +9,7 @@ use super::interface::{FmiVersion, Model, default_tau};
 use super::units::{self, Xml, has_unit};
 use crate::unit::{Causality, Kind, Value, Variable};
 use cordon_core::exact;
+use cordon_core::text::one_line;
 
 /// End of the run that tools propose, in seconds: that of the paper's figures.
 const STOP_TIME: &str = "25";
@@ -21,7 +22,7 @@ const UNITS: units::Elements =
 ///
 /// # Errors
 /// None: memory takes every write. The signature is that of the XML writer.
-pub fn model_description(model: Model, version: FmiVersion) -> Result<Vec<u8>> {
+pub fn model_description(model: &Model, version: FmiVersion) -> Result<Vec<u8>> {
     let variables = model.variables();
     let mut xml = Writer::new_with_indent(Cursor::new(Vec::new()), b' ', 2);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
@@ -34,7 +35,7 @@ pub fn model_description(model: Model, version: FmiVersion) -> Result<Vec<u8>> {
         .with_attribute(("fmiVersion", version.name()))
         .with_attribute(("modelName", model.identifier()))
         .with_attribute((key, token.as_str()))
-        .with_attribute(("description", model.description()))
+        .with_attribute(("description", one_line(&model.description()).as_str()))
         .with_attribute(("version", env!("CARGO_PKG_VERSION")))
         .with_attribute(("license", env!("CARGO_PKG_LICENSE")))
         .with_attribute(("generationTool", generation_tool))
@@ -68,7 +69,7 @@ pub fn model_description(model: Model, version: FmiVersion) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-fn capabilities(xml: &mut Xml, model: Model, version: FmiVersion) -> Result<()> {
+fn capabilities(xml: &mut Xml, model: &Model, version: FmiVersion) -> Result<()> {
     let element = xml
         .create_element("CoSimulation")
         .with_attribute(("modelIdentifier", model.identifier()))
@@ -218,7 +219,7 @@ fn pointer(version: FmiVersion, place: usize) -> String {
 
 fn structure(
     xml: &mut Xml,
-    model: Model,
+    model: &Model,
     version: FmiVersion,
     variables: &[Variable],
 ) -> Result<()> {
@@ -237,9 +238,9 @@ fn structure(
         Ok(())
     };
     let initially = |output: &Variable| -> Vec<usize> {
-        let names = model.initial_dependencies(&output.name);
-        let among = |v: &Variable| names.contains(&v.name.as_str());
-        variables.iter().enumerate().filter(|(_, v)| among(v)).map(|(place, _)| place).collect()
+        let on = model.initial_dependencies(&output.name);
+        let place = variables.iter().position(|v| Some(&v.name) == on.as_ref());
+        place.into_iter().collect()
     };
     xml.create_element("ModelStructure").write_inner_content(|xml| {
         match version {

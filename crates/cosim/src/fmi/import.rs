@@ -6,6 +6,8 @@
 
 mod adapter;
 #[cfg(feature = "fmi-import")]
+pub(super) mod folder;
+#[cfg(feature = "fmi-import")]
 mod foreign;
 
 use std::path::PathBuf;
@@ -59,8 +61,8 @@ pub fn substitute(
 /// `fmi-import`.
 #[cfg(all(feature = "fmi-import", unix))]
 pub fn serve() -> Result<()> {
-    let mut stream = cordon_fmi::remote::stream_to_parent()?;
-    Ok(cordon_fmi::host::serve(&mut stream)?)
+    let stream = cordon_fmi::remote::stream_to_parent()?;
+    Ok(cordon_fmi::host::serve(&stream)?)
 }
 
 /// As above, for a program that cannot run FMUs.

@@ -1,16 +1,20 @@
 //! What an exported unit shows to importers: which unit it is, its variables, its identifier.
 
 use std::fmt;
+use std::sync::Arc;
 
 use cordon_spec::Phase;
 
 use crate::control::{Control, Gains};
 use crate::coordination::{Coordination, Exchange, Law, OnLoss, Settings};
+use crate::fmi::carried::Carried;
 use crate::fingerprint::Fingerprint;
 use crate::plant::{Integrator, Plant};
 use crate::quotient::Quotient;
 use crate::unit::{Causality, Dimension, Resumable, Value, Variable};
+use cordon_core::Result;
 use cordon_core::exact::{self, Rational};
+use cordon_run::scenario::{Protocol, Scenario};
 
 /// A version of the FMI standard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -32,10 +36,12 @@ impl FmiVersion {
 }
 
 /// A unit that can be exported.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Model {
     /// The coordination unit of the coverage protocol; positions travel as said.
     Coordination(Positions),
+    /// The coordination unit of a protocol file, whichever drone's.
+    Protocol(Positions, Arc<Carried>),
     /// The cascaded controller: position and attitude to rotors.
     Control,
     /// The quadcopter, linear around hover.
@@ -74,8 +80,8 @@ impl From<Exchange> for Positions {
 }
 
 impl Model {
-    /// All of them.
-    pub const ALL: [Self; 5] = [
+    /// Those that carry nothing.
+    pub const PLAIN: [Self; 5] = [
         Self::Coordination(Positions::Exact),
         Self::Coordination(Positions::Double),
         Self::Coordination(Positions::SixDigits),
@@ -83,84 +89,106 @@ impl Model {
         Self::Plant,
     ];
 
+    /// The coordination unit of a scenario's protocol: `None` where there is none to export.
+    pub fn coordination(positions: Positions, scenario: &Scenario) -> Option<Self> {
+        match (&scenario.protocol, Carried::of(scenario)) {
+            (Protocol::Coverage { .. }, _) => Some(Self::Coordination(positions)),
+            (_, carried) => Some(Self::Protocol(positions, Arc::new(carried?))),
+        }
+    }
+
+    /// How positions travel, of a coordination unit.
+    pub fn positions(&self) -> Option<Positions> {
+        match self {
+            Self::Coordination(positions) | Self::Protocol(positions, _) => Some(*positions),
+            Self::Control | Self::Plant => None,
+        }
+    }
+
     /// The name of the model, which is also that of its binary: a C identifier.
-    pub fn identifier(self) -> &'static str {
+    pub fn identifier(&self) -> &'static str {
         match self {
             Self::Coordination(Positions::Exact) => "cordon_coordination",
             Self::Coordination(Positions::Double) => "cordon_coordination_double",
             Self::Coordination(Positions::SixDigits) => "cordon_coordination_six_digits",
+            Self::Protocol(Positions::Exact, _) => "cordon_protocol",
+            Self::Protocol(Positions::Double, _) => "cordon_protocol_double",
+            Self::Protocol(Positions::SixDigits, _) => "cordon_protocol_six_digits",
             Self::Control => "cordon_control",
             Self::Plant => "cordon_plant",
         }
     }
 
-    /// The model of that name.
-    pub fn named(identifier: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|m| m.identifier() == identifier)
-    }
-
     /// What it is, for people.
-    pub fn description(self) -> &'static str {
-        match self {
-            Self::Coordination(Positions::Exact) => {
-                "Coordination of one drone: the coverage protocol, exact positions as text p/q"
-            }
-            Self::Coordination(Positions::Double) => {
-                "Coordination of one drone: the coverage protocol, positions as doubles"
-            }
-            Self::Coordination(Positions::SixDigits) => {
-                "Coordination of one drone: the coverage protocol, positions read with six digits"
-            }
-            Self::Control => "Cascaded controller of a quadcopter near hover",
-            Self::Plant => "Quadcopter near hover",
-        }
+    pub fn description(&self) -> String {
+        let what = match self {
+            Self::Coordination(_) => "the coverage protocol",
+            Self::Protocol(_, carried) => &carried.own.system.title,
+            Self::Control => return "Cascaded controller of a quadcopter near hover".to_owned(),
+            Self::Plant => return "Quadcopter near hover".to_owned(),
+        };
+        let positions = match self.positions() {
+            Some(Positions::Double) => "positions as doubles",
+            Some(Positions::SixDigits) => "positions read with six digits",
+            Some(Positions::Exact) | None => "exact positions as text p/q",
+        };
+        format!("Coordination of one drone: {what}, {positions}")
     }
 
     /// A unit of this kind with the parameters' start values.
-    pub fn unit(self, name: &str) -> Box<dyn Resumable> {
+    pub fn unit(&self, name: &str) -> Box<dyn Resumable> {
         match self {
             Self::Coordination(positions) => {
-                Box::new(Coordination::new(name, default_settings(positions.into())))
+                Box::new(Coordination::new(name, default_settings((*positions).into())))
+            }
+            Self::Protocol(positions, carried) => {
+                let settings = carried.settings(0, (*positions).into(), OnLoss::default());
+                Box::new(Coordination::new(name, settings))
             }
             Self::Control => Box::new(Control::new(name, Gains::default())),
             Self::Plant => Box::new(Plant::new(name, [0.0; 3], Integrator::default())),
         }
     }
 
-    /// The variables that importers see: those of the unit, then [`TAU`]. A variable's value
-    /// reference is its place here.
-    pub fn variables(self) -> Vec<Variable> {
+    /// The variables that importers see: those of the unit, then [`TAU`] and [`START_INPUTS`]. A
+    /// variable's value reference is its place here.
+    pub fn variables(&self) -> Vec<Variable> {
         let mut variables = self.unit(self.identifier()).variables().to_vec();
         variables.push(tau(self.exact_numbers()));
+        let text = "whether the first step takes the inputs' start values, whatever is set after the \
+                    initialisation";
+        let start = Value::Boolean(false);
+        let (none, parameter) = (Dimension::NONE, Causality::Parameter);
+        variables.push(Variable::new(START_INPUTS, none, parameter, start, text));
         variables
     }
 
     /// Whether its exact numbers travel as text `p/q`. Otherwise they are doubles, which stand for
     /// [simple fractions](Quotient::simplest_of).
-    pub fn exact_numbers(self) -> bool {
-        self == Self::Coordination(Positions::Exact)
+    pub fn exact_numbers(&self) -> bool {
+        self.positions() == Some(Positions::Exact)
     }
 
     /// The value of [`TAU`] that means so many seconds.
-    pub fn tau_value(self, tau: &Rational) -> Value {
+    pub fn tau_value(&self, tau: &Rational) -> Value {
         tau_value(self.exact_numbers(), tau)
     }
 
     /// The parameters on which an output depends right after the initialisation.
-    pub fn initial_dependencies(self, output: &str) -> &'static [&'static str] {
-        match (self, output) {
-            (Self::Plant, "x") => &["x0"],
-            (Self::Plant, "y") => &["y0"],
-            (Self::Plant, "z") => &["z0"],
-            (Self::Coordination(_), "x_d" | "own") => &["start"],
-            _ => &[],
-        }
+    pub fn initial_dependencies(&self, output: &str) -> Option<String> {
+        Some(match (self, output) {
+            (Self::Plant, "x" | "y" | "z") => format!("{output}0"),
+            (Self::Coordination(_) | Self::Protocol(..), "x_d" | "own") => "start".to_owned(),
+            (Self::Protocol(..), beside) => beside.replacen("own", "start", 1),
+            _ => return None,
+        })
     }
 
     /// The identifier (FMI 2.0: guid; FMI 3.0: instantiationToken) with which importers make
-    /// instances. It names the model and fingerprints the variables, so that a model description
-    /// is never used with a binary that reads other variables into it.
-    pub fn token(self, version: FmiVersion) -> String {
+    /// instances. It names the model and fingerprints the variables and what the FMU carries, so that
+    /// a model description is never used with a binary or a protocol that reads other variables into
+    /// it.
+    pub fn token(&self, version: FmiVersion) -> String {
         let mut print = Fingerprint::default();
         for v in self.variables() {
             print.add_text(&v.name);
@@ -169,7 +197,40 @@ impl Model {
             print.add_text(&v.kind().to_string());
             print.add_text(&v.start.to_string());
         }
+        for (_, text) in self.resources() {
+            print.add_text(&text);
+        }
         format!("cordon-fmi{}:{}:{}", version.name(), self.identifier(), print.hex())
+    }
+
+    /// Names and texts of the files that its FMU carries in `resources/`.
+    pub fn resources(&self) -> Vec<(&'static str, String)> {
+        match self {
+            Self::Protocol(_, carried) => carried.files().to_vec(),
+            Self::Coordination(_) | Self::Control | Self::Plant => Vec::new(),
+        }
+    }
+
+    /// The model that an identifier belongs to, `None` where it is of no model of this program;
+    /// `carried` answers what the FMU carries.
+    ///
+    /// # Errors
+    /// It should carry a protocol, and there is none to be had.
+    pub fn of_token(
+        version: FmiVersion,
+        token: &str,
+        carried: impl FnOnce() -> Result<Carried>,
+    ) -> Result<Option<Self>> {
+        if let Some(plain) = Self::PLAIN.into_iter().find(|m| m.token(version) == token) {
+            return Ok(Some(plain));
+        }
+        if !token.starts_with(&format!("cordon-fmi{}:cordon_protocol", version.name())) {
+            return Ok(None);
+        }
+        let carried = Arc::new(carried()?);
+        let all = [Positions::Exact, Positions::Double, Positions::SixDigits];
+        let mut models = all.into_iter().map(|p| Self::Protocol(p, carried.clone()));
+        Ok(models.find(|m| m.token(version) == token))
     }
 }
 
@@ -180,6 +241,10 @@ pub const BINARY_MARK: &str = concat!("\u{7f}cordon-fmu ", env!("CARGO_PKG_VERSI
 /// Name of the parameter that every exported unit has besides its own: the length of a step in
 /// seconds, exact.
 pub const TAU: &str = "tau";
+
+/// Name of the parameter that every exported unit has besides: whether the first step takes the inputs'
+/// start values. Some importers send zeros in the first step.
+pub const START_INPUTS: &str = "start_inputs";
 
 /// The step that exported units are made for unless told otherwise: 0.05 s, as in the paper.
 pub fn default_tau() -> Rational {

@@ -9,6 +9,7 @@
 pub mod archive;
 #[cfg(feature = "package")]
 pub mod binary;
+pub mod carried;
 #[cfg(feature = "package")]
 pub mod description;
 #[cfg(feature = "package")]
@@ -20,5 +21,6 @@ pub(crate) mod model_description;
 pub mod package;
 pub mod slave;
 pub mod snapshot;
+pub mod uri;
 #[cfg(feature = "package")]
 pub(crate) mod units;

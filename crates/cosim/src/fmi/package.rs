@@ -28,7 +28,7 @@ pub fn platform(version: FmiVersion) -> Option<(&'static str, &'static str)> {
 ///
 /// # Errors
 /// The standards have no name for this platform, or the binary is too large for an archive.
-pub fn fmu(model: Model, version: FmiVersion, binary: &[u8]) -> Result<Vec<u8>> {
+pub fn fmu(model: &Model, version: FmiVersion, binary: &[u8]) -> Result<Vec<u8>> {
     let Some((folder, ending)) = platform(version) else {
         return Err(Error::input(format!(
             "platform `{}-{}`: FMI has no name for it",
@@ -38,7 +38,11 @@ pub fn fmu(model: Model, version: FmiVersion, binary: &[u8]) -> Result<Vec<u8>> 
     };
     let name = format!("binaries/{folder}/{}{ending}", model.identifier());
     let description = model_description(model, version)?;
-    archive(&[("modelDescription.xml", &description), (&name, binary)])
+    let resources = model.resources().into_iter();
+    let resources: Vec<_> = resources.map(|(name, text)| (format!("resources/{name}"), text)).collect();
+    let mut files = vec![("modelDescription.xml", description.as_slice()), (&name, binary)];
+    files.extend(resources.iter().map(|(name, text)| (name.as_str(), text.as_bytes())));
+    archive(&files)
 }
 
 /// An archive of files by their paths inside.

@@ -4,14 +4,18 @@
 //! references, types, exact time, states to go back to. FMI 2.0 and 3.0 differ in their C
 //! functions only; the rules here serve both.
 
+use std::path::Path;
+
 use num_traits::Signed;
 
-use super::interface::{FmiVersion, Model, TAU, default_tau};
+use super::carried::Carried;
+use super::interface::{FmiVersion, Model, START_INPUTS, TAU, default_tau};
 pub use super::snapshot::Mode;
 use super::snapshot::Snapshot;
 use crate::grid::Grid;
 use crate::quotient::Quotient;
 use crate::unit::{Causality, Kind, Resumable, UnitError, Value, Variable};
+use cordon_core::Error;
 use cordon_core::exact::{self, Rational};
 
 /// Why a call was refused.
@@ -69,6 +73,8 @@ pub struct Slave {
     unit: Box<dyn Resumable>,
     mode: Mode,
     tau: Rational,
+    /// Whether the first step takes the inputs' start values.
+    start_inputs: bool,
     grid: Option<Grid>,
     start_time: f64,
     stop_time: Option<f64>,
@@ -79,32 +85,49 @@ pub struct Slave {
 }
 
 impl Slave {
-    /// Makes an instance of the model that the identifier belongs to.
+    /// Makes an instance of the model that the identifier belongs to; `resources` is the FMU's folder
+    /// of that name, where the importer says it.
     ///
     /// # Errors
-    /// No model of this binary has the identifier.
-    pub fn instantiate(version: FmiVersion, name: &str, token: &str) -> Result<Self, Refusal> {
-        let model =
-            Model::ALL.into_iter().find(|m| m.token(version) == token).ok_or_else(|| {
+    /// No model of this binary has the identifier, or what the FMU should carry is not there.
+    pub fn instantiate(
+        version: FmiVersion,
+        name: &str,
+        token: &str,
+        resources: Option<&Path>,
+    ) -> Result<Self, Refusal> {
+        let carried = || match resources {
+            Some(folder) => Carried::read(folder),
+            None => Err(Error::input("the importer did not say where the resources are")),
+        };
+        let model = Model::of_token(version, token, carried)
+            .map_err(|e| Refusal::error(format!("identifier `{token}`: {e}")))?
+            .ok_or_else(|| {
                 Refusal::error(format!(
                     "identifier `{token}`: no unit of this binary has it; \
-                 expected binary and model description from the same export"
+                     expected binary and model description from the same export"
                 ))
             })?;
-        Ok(Self {
+        Ok(Self::of(model, name, token))
+    }
+
+    /// A new instance.
+    fn of(model: Model, name: &str, token: &str) -> Self {
+        Self {
             name: name.to_owned(),
-            model,
             token: token.to_owned(),
             variables: model.variables(),
             unit: model.unit(name),
+            model,
             mode: Mode::Instantiated,
             tau: default_tau(),
+            start_inputs: false,
             grid: None,
             start_time: 0.0,
             stop_time: None,
             step: 0,
             stale: true,
-        })
+        }
     }
 
     /// The mode it is in.
@@ -204,13 +227,7 @@ impl Slave {
     pub fn reset(&mut self) -> Result<(), Refusal> {
         let allowed = [Mode::Instantiated, Mode::Initialisation, Mode::Step, Mode::Terminated];
         self.expect_mode("resetting", &allowed)?;
-        self.unit = self.model.unit(&self.name);
-        self.mode = Mode::Instantiated;
-        self.tau = default_tau();
-        self.grid = None;
-        (self.start_time, self.stop_time) = (0.0, None);
-        self.step = 0;
-        self.stale = true;
+        *self = Self::of(self.model.clone(), &self.name, &self.token);
         Ok(())
     }
 
@@ -260,6 +277,15 @@ impl Slave {
                 return Err(named(&format!("`{tau}`: expected a positive number of seconds")));
             }
             self.tau = tau;
+        } else if variable.name == START_INPUTS {
+            let Value::Boolean(hold) = value else {
+                return Err(named(&format!("expected boolean, found {}", value.kind())));
+            };
+            self.start_inputs = hold;
+        } else if self.start_inputs && self.mode == Mode::Step && self.step == 0 {
+            if variable.kind() != value.kind() {
+                return Err(named(&format!("expected {}, found {}", variable.kind(), value.kind())));
+            }
         } else {
             self.unit.set(place, &value)?;
         }
@@ -274,8 +300,10 @@ impl Slave {
             let name = &variable.name;
             return Err(Refusal::error(format!("variable `{name}`: its type is {kind}")));
         }
-        if variable.name == TAU {
-            return Ok(self.model.tau_value(&self.tau));
+        match variable.name.as_str() {
+            TAU => return Ok(self.model.tau_value(&self.tau)),
+            START_INPUTS => return Ok(Value::Boolean(self.start_inputs)),
+            _ => {}
         }
         if self.mode == Mode::Fatal {
             return Err(Refusal::fatal("reading: the instance is of no more use"));
@@ -387,6 +415,7 @@ impl Slave {
         for (place, variable) in self.variables.iter().enumerate() {
             settable.push(match variable.causality {
                 _ if variable.name == TAU => Some(self.model.tau_value(&self.tau)),
+                _ if variable.name == START_INPUTS => Some(Value::Boolean(self.start_inputs)),
                 Causality::Parameter | Causality::Input => Some(self.unit.get(place)?),
                 Causality::Output | Causality::Local => None,
             });
@@ -413,7 +442,7 @@ impl Slave {
         if snapshot.token != self.token {
             return Err(Refusal::error("this is the state of another FMU"));
         }
-        let mut back = Self::instantiate_like(self);
+        let mut back = Self::of(self.model.clone(), &self.name, &self.token);
         if snapshot.settable.len() != back.variables.len() {
             return Err(Refusal::error("this state has another number of variables"));
         }
@@ -436,23 +465,6 @@ impl Slave {
         back.step = snapshot.step;
         *self = back;
         Ok(())
-    }
-
-    fn instantiate_like(other: &Self) -> Self {
-        Self {
-            name: other.name.clone(),
-            model: other.model,
-            token: other.token.clone(),
-            variables: other.variables.clone(),
-            unit: other.model.unit(&other.name),
-            mode: Mode::Instantiated,
-            tau: default_tau(),
-            grid: None,
-            start_time: 0.0,
-            stop_time: None,
-            step: 0,
-            stale: true,
-        }
     }
 
     /// A state from its serialised form.

@@ -2,17 +2,21 @@
 //! ways) and SSP systems ([`ssp`]).
 
 pub mod into_cps;
+mod ports;
+mod read;
 pub mod ssp;
 
+pub use read::{is_system, read};
+
 use crate::cosimulation::Cosimulation;
-use crate::fmi::interface::{Model, TAU, default_tau};
+use crate::fmi::interface::{Model, START_INPUTS, TAU, default_tau};
 use crate::master::Algorithm;
 use crate::seat::Seat;
 use crate::unit::{Causality, Unit, Value};
 use crate::wiring::Port;
 use cordon_core::exact::Rational;
 use cordon_core::{Error, Result};
-use cordon_run::scenario::{Protocol, UnitName};
+use cordon_run::scenario::UnitName;
 
 /// Instances of exported units and what is connected with what.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,19 +58,31 @@ impl Assembly {
     /// The co-simulation of a swarm.
     ///
     /// # Errors
-    /// It has what other tools' masters do not: another protocol than coverage, faults, a
+    /// It has what other tools' masters do not: consensus or formation, faults, a
     /// Gauss-Seidel master.
     pub fn of(swarm: &Cosimulation) -> Result<Self> {
         expect_plain(swarm)?;
+        let coordination = Model::coordination(swarm.exchange.into(), &swarm.scenario);
+        let coordination = coordination.ok_or_else(|| {
+            let name = swarm.scenario.protocol.name();
+            Error::input(format!(
+                "protocol: `{name}`: expected `coverage` or a protocol file: there is no FMU of another \
+                 coordination unit"
+            ))
+        })?;
         let wiring = swarm.wiring()?;
         let mut instances = Vec::with_capacity(wiring.units().len());
         for (seat, unit) in Seat::all(swarm.count()).zip(wiring.units()) {
             let model = match seat.unit {
-                UnitName::Coordination => Model::Coordination(swarm.exchange.into()),
+                UnitName::Coordination => coordination.clone(),
                 UnitName::Control => Model::Control,
                 UnitName::Plant => Model::Plant,
             };
-            let mut settings = parameters(model, unit.as_ref())?;
+            // Whose unit an own protocol's is, its parameters say.
+            let mut settings = match swarm.open_coordination(seat.drone) {
+                Some(open) if seat.unit == UnitName::Coordination => parameters(&model, &open)?,
+                _ => parameters(&model, unit.as_ref())?,
+            };
             if *swarm.grid.tau() != default_tau() {
                 settings.push((TAU.to_owned(), model.tau_value(swarm.grid.tau())));
             }
@@ -100,12 +116,32 @@ impl Assembly {
         })
     }
 
-    /// The models that it has instances of, each once, in order.
-    pub fn models(&self) -> Vec<Model> {
-        let mut models: Vec<Model> = self.instances.iter().map(|i| i.model).collect();
-        models.sort_unstable();
-        models.dedup();
-        models
+    /// With what every connected input hears first among the start values, for importers that send
+    /// something else in the first step ([`START_INPUTS`]).
+    ///
+    /// # Errors
+    /// As for [`Assembly::of`].
+    pub fn with_first_inputs(mut self, swarm: &Cosimulation) -> Result<Self> {
+        let mut wiring = swarm.wiring()?;
+        wiring.units.iter_mut().try_for_each(|unit| unit.initialise(&swarm.grid))?;
+        for ((from, _), (_, to)) in wiring.connections().zip(&self.connections) {
+            let Some(unit) = wiring.units().get(from.unit) else { continue };
+            let sent = unit.get(from.variable)?;
+            let Some(instance) = self.instances.get_mut(to.instance) else { continue };
+            let start = instance.model.variables().into_iter().find(|v| v.name == to.variable);
+            if start.is_some_and(|v| v.start != sent) {
+                instance.settings.push((to.variable.clone(), sent));
+            }
+        }
+        for instance in &mut self.instances {
+            instance.settings.push((START_INPUTS.to_owned(), Value::Boolean(true)));
+        }
+        Ok(self)
+    }
+
+    /// The models that it has instances of, each once, in the order of a drone's units.
+    pub fn models(&self) -> Vec<&Model> {
+        self.instances.iter().take(UnitName::ALL.len()).map(|i| &i.model).collect()
     }
 
     /// The end of the run in seconds.
@@ -116,7 +152,7 @@ impl Assembly {
     /// The position whose run is of interest: the output of an instance, or none.
     pub fn position_of(instance: &Instance) -> Option<&'static str> {
         match instance.model {
-            Model::Coordination(_) => Some("x_d"),
+            Model::Coordination(_) | Model::Protocol(..) => Some("x_d"),
             Model::Plant => Some("x"),
             Model::Control => None,
         }
@@ -124,13 +160,6 @@ impl Assembly {
 }
 
 fn expect_plain(swarm: &Cosimulation) -> Result<()> {
-    let protocol = &swarm.scenario.protocol;
-    if !matches!(protocol, Protocol::Coverage { .. }) {
-        return Err(Error::input(format!(
-            "protocol: `{}`: expected `coverage`, the protocol of the exported coordination unit",
-            protocol.name()
-        )));
-    }
     if swarm.algorithm != Algorithm::Jacobi {
         return Err(Error::input(format!(
             "master: `{}`: expected `jacobi`, the order of steps that other tools have",
@@ -160,7 +189,7 @@ fn expect_plain(swarm: &Cosimulation) -> Result<()> {
 }
 
 /// The parameters that differ from the model's start values.
-fn parameters(model: Model, unit: &dyn Unit) -> Result<Vec<(String, Value)>> {
+fn parameters(model: &Model, unit: &dyn Unit) -> Result<Vec<(String, Value)>> {
     let mut changed = Vec::new();
     for (place, (variable, start)) in unit.variables().iter().zip(model.variables()).enumerate() {
         if variable.causality != Causality::Parameter {

@@ -143,6 +143,11 @@ impl ProtocolFile {
         self.document.start.is_some()
     }
 
+    /// What the file says.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
     /// Whether the file leaves the number of agents open.
     pub fn is_family(&self) -> bool {
         matches!(self.agents, Agents::From(_))

@@ -28,6 +28,8 @@ pub struct Draft {
     pub title: Option<String>,
     /// `coverage` (default), `consensus`, `formation`, or a protocol file (ends in `.toml`).
     pub protocol: Option<String>,
+    /// What the protocol file says, where it is inside another file.
+    pub protocol_text: Option<String>,
     /// Left end of the segment; the first drone's start by default.
     pub min: Option<Rational>,
     /// Right end of the segment; the last drone's start by default.
@@ -84,6 +86,11 @@ impl Draft {
         }
         Self {
             title: other.title.or(self.title),
+            // A text belongs to the name beside it.
+            protocol_text: match other.protocol {
+                Some(_) => other.protocol_text,
+                None => self.protocol_text,
+            },
             protocol: other.protocol.or(self.protocol),
             min: other.min.or(self.min),
             max: other.max.or(self.max),
@@ -210,7 +217,10 @@ impl Draft {
                 "{field}: not a field of a protocol file's scenario"
             )));
         }
-        let file = protocol::read(Path::new(path))?;
+        let file = match &self.protocol_text {
+            Some(text) => protocol::parse(path, text)?,
+            None => protocol::read(Path::new(path))?,
+        };
         let variables = file.variables()?;
         let Some(Start::Listed(start)) = &self.start else {
             return Err(missing(&format!("start ({})", in_order(&variables))));
@@ -236,7 +246,8 @@ impl Draft {
                 "weight: expected none: `{path}` has no parameter `eps`"
             )));
         }
-        let own = Own::new(path.to_owned(), system, &given, self.choices)?;
+        let named = (path.to_owned(), file.text().to_owned());
+        let own = Own::new(named, system, &given, self.choices)?;
         Ok((own, start.clone()))
     }
 
@@ -338,7 +349,7 @@ impl Draft {
 }
 
 /// Whether a protocol's name names a file.
-pub(super) fn names_file(protocol: &str) -> bool {
+pub fn names_file(protocol: &str) -> bool {
     Path::new(protocol).extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"))
 }
 

@@ -89,6 +89,7 @@ pub fn parse(name: &str, text: &str) -> Result<Draft> {
     Ok(Draft {
         title: doc.title,
         protocol: doc.protocol.map(|p| beside(name, p)),
+        protocol_text: None,
         min: number("min", doc.min)?,
         max: number("max", doc.max)?,
         drones: doc.drones,

@@ -50,6 +50,8 @@ pub struct Substitute {
     pub names: BTreeMap<String, String>,
     /// Parameters of the FMU, by its own names for them.
     pub parameters: BTreeMap<String, Parameter>,
+    /// Parameters with several values: a run for each.
+    pub ranges: BTreeMap<String, Vec<Rational>>,
 }
 
 /// The value of a parameter of an FMU.

@@ -1,6 +1,7 @@
 //! The tables `[flight]` and `[[fault]]` of a scenario file.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
@@ -9,7 +10,7 @@ use toml::{Spanned, Value};
 use super::file::Source;
 use super::flight::{Fault, FaultKind, Flight, Parameter, Substitute, UnitName};
 use cordon_core::Result;
-use cordon_core::exact::Rational;
+use cordon_core::exact::{self, Rational};
 
 /// The table `[flight]` as written.
 #[derive(Deserialize, Default)]
@@ -138,14 +139,78 @@ fn substitute(source: &Source<'_>, t: UnitTable) -> Result<Substitute> {
         Some(folder) => folder.join(t.fmu),
         None => t.fmu,
     };
-    let parameter = |(name, value): (String, Spanned<Value>)| {
-        let value = match value.get_ref() {
-            Value::Boolean(b) => Parameter::Boolean(*b),
-            Value::String(text) => Parameter::Text(text.clone()),
-            _ => Parameter::Number(source.number(&format!("unit.parameters.{name}"), &value)?),
-        };
-        Ok((name, value))
-    };
-    let parameters = t.parameters.into_iter().map(parameter).collect::<Result<_>>()?;
-    Ok(Substitute { drone: t.drone, unit, fmu, names: t.names, parameters })
+    let (mut parameters, mut ranges) = (BTreeMap::new(), BTreeMap::new());
+    for (name, value) in t.parameters {
+        let field = format!("unit.parameters.{name}");
+        match value.get_ref() {
+            Value::Array(list) => {
+                ranges.insert(name, listed(source, &field, value.span(), list)?);
+            }
+            Value::Table(range) => {
+                ranges.insert(name, spread(source, &field, value.span(), range)?);
+            }
+            Value::Boolean(b) => {
+                parameters.insert(name, Parameter::Boolean(*b));
+            }
+            Value::String(text) => {
+                parameters.insert(name, Parameter::Text(text.clone()));
+            }
+            _ => {
+                parameters.insert(name, Parameter::Number(source.number(&field, &value)?));
+            }
+        }
+    }
+    Ok(Substitute { drone: t.drone, unit, fmu, names: t.names, parameters, ranges })
 }
+
+/// A number inside a list or a table, as it was written.
+fn inner(source: &Source<'_>, field: &str, at: &Range<usize>, value: &Value) -> Result<Rational> {
+    let text = match value {
+        Value::String(text) => text.clone(),
+        Value::Integer(_) | Value::Float(_) => value.to_string(),
+        _ => return Err(source.error(at, &format!("{field}: expected numbers"))),
+    };
+    exact::parse(field, &text).map_err(|e| source.error(at, &e.to_string()))
+}
+
+/// The values of a list.
+fn listed(
+    source: &Source<'_>,
+    field: &str,
+    at: Range<usize>,
+    list: &[Value],
+) -> Result<Vec<Rational>> {
+    if list.is_empty() {
+        return Err(source.error(&at, &format!("{field}: expected at least one value")));
+    }
+    list.iter().map(|value| inner(source, field, &at, value)).collect()
+}
+
+/// The values of a range, `{ from = 0, to = 1, runs = 5 }`: so many, at equal distances, the ends
+/// included.
+fn spread(
+    source: &Source<'_>,
+    field: &str,
+    at: Range<usize>,
+    range: &toml::Table,
+) -> Result<Vec<Rational>> {
+    let fail = |what: &str| source.error(&at, &format!("{field}: {what}"));
+    if range.keys().any(|key| !["from", "to", "runs"].contains(&key.as_str())) {
+        return Err(fail("expected `from`, `to` and `runs`"));
+    }
+    let end = |key: &str| {
+        let value = range.get(key).ok_or_else(|| fail(&format!("{key} is missing")))?;
+        inner(source, &format!("{field}.{key}"), &at, value)
+    };
+    let (from, to) = (end("from")?, end("to")?);
+    let runs = range.get("runs").and_then(Value::as_integer);
+    let runs = runs.filter(|runs| (2..=MOST_VALUES).contains(runs));
+    let Some(runs) = runs else {
+        return Err(fail(&format!("runs: expected 2 to {MOST_VALUES}")));
+    };
+    let step = (&to - &from) / Rational::from_integer((runs - 1).into());
+    Ok((0..runs).map(|k| &from + &step * Rational::from_integer(k.into())).collect())
+}
+
+/// Most values of a parameter: a run takes milliseconds at least.
+const MOST_VALUES: i64 = 10_000;

@@ -15,7 +15,7 @@ mod places;
 use cordon_spec::theorems::Setting;
 use cordon_spec::{Params, Phase, State};
 
-pub use draft::{Draft, Start};
+pub use draft::{Draft, Start, names_file};
 pub use file::{parse, read};
 pub use flight::{Fault, FaultKind, Flight, Parameter, Substitute, UnitName};
 pub use graph::Topology;

@@ -15,6 +15,8 @@ use cordon_core::{Error, Rational, Result};
 pub struct Own {
     /// The protocol file, as it was named.
     pub file: String,
+    /// What it says.
+    pub text: String,
     /// The system, its ranges as the file has them.
     pub system: System,
     /// Draws the choices of every step. Without a seed all links work, all agents act, no message
@@ -28,13 +30,14 @@ pub struct Own {
 const PARTS: u64 = 8;
 
 impl Own {
-    /// The system with these values for some of its parameters, by name.
+    /// The system with these values for some of its parameters, by name; `file` is its file's name
+    /// and text.
     ///
     /// # Errors
     /// A name that no parameter has, a value for a choice that is neither end of it, and a parameter
     /// that is left without a value.
     pub fn new(
-        file: String,
+        (file, text): (String, String),
         system: System,
         given: &BTreeMap<String, Rational>,
         seed: Option<u64>,
@@ -66,7 +69,7 @@ impl Own {
             },
         };
         let values = system.parameters.iter().map(value).collect::<Result<_>>()?;
-        Ok(Self { file, system, seed, values })
+        Ok(Self { file, text, system, seed, values })
     }
 
     /// The names of the agents' variables, agent by agent: what a row of a trace has.
@@ -79,6 +82,21 @@ impl Own {
     pub fn value(&self, name: &str) -> Option<&Rational> {
         let place = self.system.parameters.iter().position(|p| p.name == name)?;
         self.values.get(place)?.as_ref()
+    }
+
+    /// Gives the parameter at a place of [`constants`](Self::constants) another value.
+    pub fn set(&mut self, place: usize, value: Rational) {
+        let places = self.system.parameters.iter().zip(&mut self.values);
+        let mut constants =
+            places.filter(|(p, old)| p.kind != ParameterKind::Choice && old.is_some());
+        if let Some((_, old)) = constants.nth(place) {
+            *old = Some(value);
+        }
+    }
+
+    /// The parameters that are numbers throughout, not choices.
+    pub fn constants(&self) -> impl Iterator<Item = (&Parameter, &Rational)> {
+        self.values().filter(|(p, _)| p.kind != ParameterKind::Choice)
     }
 
     /// The parameters that have one value in all steps.
@@ -265,7 +283,7 @@ mod tests {
             let start: Vec<Rational> =
                 (0..agents).map(|_| q(random.below(11) as i64 - 5, 1 + random.below(5))).collect();
             let wanted = system.run(&[], &start, 40);
-            let own = Own::new("random".into(), system, &BTreeMap::new(), None).unwrap();
+            let own = Own::new(("random".into(), String::new()), system, &BTreeMap::new(), None).unwrap();
             let maps = own.cycle().unwrap();
             let motion = match maps.as_slice() {
                 [map] => crate::fast::Line::of_map(map, &start).map(Motion::Line),
@@ -361,7 +379,7 @@ mod tests {
         // Another seed, another run.
         let own = |seed| {
             let file = read_system("coverage-late", 4);
-            Own::new("f".into(), file, &BTreeMap::new(), seed).unwrap()
+            Own::new(("f".into(), String::new()), file, &BTreeMap::new(), seed).unwrap()
         };
         let differ = (1..20).filter(|k| own(Some(1)).map(*k) != own(Some(2)).map(*k)).count();
         assert!(differ > 10, "{differ}");

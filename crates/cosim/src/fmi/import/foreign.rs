@@ -5,10 +5,10 @@ use cordon_fmi::instance::Instance;
 use cordon_fmi::message::{Beginning, Reply};
 #[cfg(unix)]
 use cordon_fmi::remote::Remote;
-use tempfile::TempDir;
 
 use super::Isolation;
 use super::adapter::{Counterpart, Map};
+use super::folder::Folder;
 use crate::fmi::archive::Fmu;
 use crate::fmi::interface::FmiVersion;
 use crate::fmi::model_description::FmuVariable;
@@ -36,7 +36,7 @@ pub(super) struct Foreign {
     notes: Vec<String>,
     session: Session,
     /// The unpacked archive, which goes after the session that uses it.
-    _folder: TempDir,
+    _folder: Folder,
 }
 
 /// Where the instance is.

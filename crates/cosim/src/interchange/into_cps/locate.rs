@@ -1,49 +1,112 @@
 //! Where the files of a multi-model are.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use serde::Deserialize;
+use serde::de::IgnoredAny;
 use serde_json::Value as Json;
 
 use super::MultiModel;
+use crate::fmi::archive::Fmu;
+use crate::fmi::uri;
+use crate::interchange::ports::Ports;
+use crate::interchange::read::{Clock, System};
 use cordon_core::files::{self, Limit};
 use cordon_core::{Error, Result};
 
-/// A multi-model with the configuration of its co-simulation.
-pub(super) struct Found {
-    pub model: MultiModel,
-    /// Folder of the multi-model's file.
-    pub folder: PathBuf,
+/// Whether a JSON file is a multi-model, or the configuration of a co-simulation that names one, by
+/// its fields: runs are JSON too.
+///
+/// # Errors
+/// The file cannot be read.
+pub fn holds_multi_model(path: &Path) -> Result<bool> {
+    #[derive(Deserialize)]
+    struct Fields {
+        fmus: Option<IgnoredAny>,
+        multimodel_path: Option<IgnoredAny>,
+        multimodel_crc: Option<IgnoredAny>,
+    }
+    let text = files::read_text(path, Limit::RUN)?;
+    let fields = serde_json::from_str::<Fields>(&text);
+    Ok(fields.is_ok_and(|f| {
+        f.fmus.is_some() || f.multimodel_path.is_some() || f.multimodel_crc.is_some()
+    }))
 }
 
-/// Reads a multi-model, or the configuration of a co-simulation (`.coe.json`), which names one
-/// in `multimodel_path`.
+/// The system of a multi-model, or of the configuration of a co-simulation that names one.
+///
+/// # Errors
+/// A file cannot be read or is something else; a name is of another form.
+pub(in super::super) fn system(path: &Path) -> Result<System> {
+    let named = |e: Error| match e {
+        Error::Input(what) => Error::input(format!("{}: {what}", path.display())),
+        e => e,
+    };
+    let Found { model, folder } = model(path)?;
+    let ports = Ports::of(&model).map_err(named)?;
+    let mut fmus = BTreeMap::new();
+    // Projects list FMUs that they had instances of once, and have no more.
+    let used = |key: &str| ports.settings.keys().any(|instance| instance.fmu == key);
+    for (key, name) in model.fmus.iter().filter(|(key, _)| used(key)) {
+        fmus.insert(key.clone(), Fmu::open(&file(&folder, name).map_err(named)?)?);
+    }
+    let MultiModel { algorithm, start_time: start, end_time: end, .. } = model;
+    Ok(System { title: None, fmus, ports, clock: Clock::Said(algorithm), start, end })
+}
+
+/// A multi-model with the configuration of its co-simulation.
+struct Found {
+    model: MultiModel,
+    /// Folder of the multi-model's file.
+    folder: PathBuf,
+}
+
+/// Reads a multi-model, or the configuration of a co-simulation (`coe.json`), which names one in
+/// `multimodel_path`, from the project's folder on; where that is not there, or not said, it is the one
+/// in the folder above that of the configuration.
 ///
 /// # Errors
 /// A file cannot be read or is something else.
-pub(super) fn model(path: &Path) -> Result<Found> {
+fn model(path: &Path) -> Result<Found> {
     let fail = |what: String| Error::input(format!("{}: {what}", path.display()));
     let folder = path.parent().unwrap_or(Path::new("."));
     let text = files::read_text(path, Limit::MULTI_MODEL)?;
     let mut json: Json = serde_json::from_str(&text)
         .map_err(|e| fail(format!("expected an INTO-CPS multi-model: {e}")))?;
-    let named = json.get("multimodel_path").and_then(Json::as_str);
-    let Some(named) = named.filter(|_| json.get("fmus").is_none()).map(str::to_owned) else {
+    if json.get("fmus").is_some() || CONFIGURATION.iter().all(|key| json.get(key).is_none()) {
         let model = serde_json::from_value(json)
             .map_err(|e| fail(format!("expected an INTO-CPS multi-model: {e}")))?;
         return Ok(Found { model, folder: folder.to_owned() });
-    };
-    let path = file(folder, &named).map_err(|e| fail(e.to_string()))?;
+    }
+    let named = json.get("multimodel_path").and_then(Json::as_str).unwrap_or_default();
+    let named = file(folder, named).map_err(|e| fail(e.to_string()))?;
+    let path = if named.is_file() { named } else { above(folder).unwrap_or(named) };
     let text = files::read_text(&path, Limit::MULTI_MODEL)?;
     let fail =
         |e| Error::input(format!("{}: expected an INTO-CPS multi-model: {e}", path.display()));
     let mut model: Json = serde_json::from_str(&text).map_err(fail)?;
     // What the configuration says goes before what the multi-model says.
     if let (Some(model), Some(configuration)) = (model.as_object_mut(), json.as_object_mut()) {
-        configuration.remove("multimodel_path");
+        configuration.retain(|key, value| !CONFIGURATION.contains(&key.as_str()) && !value.is_null());
         model.append(configuration);
     }
     let model = serde_json::from_value(model).map_err(fail)?;
     Ok(Found { model, folder: path.parent().unwrap_or(Path::new(".")).to_owned() })
+}
+
+/// By these a configuration says which multi-model it belongs to: its path, or its checksum.
+const CONFIGURATION: [&str; 2] = ["multimodel_path", "multimodel_crc"];
+
+/// The only multi-model in the folder above the one of a configuration, as the INTO-CPS application
+/// lays them out.
+fn above(folder: &Path) -> Option<PathBuf> {
+    let absolute = std::path::absolute(folder).ok()?;
+    let entries = std::fs::read_dir(absolute.parent()?).ok()?;
+    let files = entries.flatten().map(|entry| entry.path());
+    let named = |path: &PathBuf| path.to_string_lossy().ends_with("mm.json");
+    let mut found: Vec<PathBuf> = files.filter(named).collect();
+    found.pop().filter(|_| found.is_empty())
 }
 
 /// A file that is named by a path or a `file:` URI: beside the multi-model, in a folder above it
@@ -52,8 +115,9 @@ pub(super) fn model(path: &Path) -> Result<Found> {
 ///
 /// # Errors
 /// There is none, or the URI is none of a file here.
-pub(super) fn file(folder: &Path, name: &str) -> Result<PathBuf> {
-    let path = path(name)?;
+fn file(folder: &Path, name: &str) -> Result<PathBuf> {
+    // Projects that were made on another system have its separators.
+    let path = uri::path(&name.replace('\\', "/"))?;
     let absolute = std::path::absolute(folder).unwrap_or(folder.to_owned());
     let above =
         absolute.ancestors().skip(1).flat_map(|a| [a.join(&path), a.join("FMUs").join(&path)]);
@@ -63,63 +127,5 @@ pub(super) fn file(folder: &Path, name: &str) -> Result<PathBuf> {
         Some(found) if !beside.is_file() => Ok(found),
         // Where there is none anywhere, that beside it is the one that is missing.
         _ => Ok(beside),
-    }
-}
-
-/// The path that a path or a `file:` URI means. `file:/a`, `file:///a`, `file:////a` and
-/// `file://localhost/a` are `/a`.
-fn path(name: &str) -> Result<PathBuf> {
-    let Some(rest) = name.strip_prefix("file:") else {
-        return Ok(PathBuf::from(name));
-    };
-    let fail = |what: &str| Error::input(format!("`{name}`: {what}"));
-    let rest = match rest.strip_prefix("//") {
-        Some(rest) => rest.strip_prefix("localhost").unwrap_or(rest),
-        None => rest,
-    };
-    if rest.starts_with(|c| c != '/') && name.starts_with("file://") {
-        return Err(fail("expected the URI of a file on this machine"));
-    }
-    let decoded = decoded(rest).ok_or_else(|| fail("expected `%` with two hexadecimal digits"))?;
-    let slashes = decoded.len() - decoded.trim_start_matches('/').len();
-    Ok(PathBuf::from(decoded.get(slashes.saturating_sub(1)..).unwrap_or_default()))
-}
-
-/// A text with its percent-encoded bytes in place.
-fn decoded(text: &str) -> Option<String> {
-    let mut bytes = Vec::with_capacity(text.len());
-    let mut rest = text.bytes();
-    while let Some(byte) = rest.next() {
-        bytes.push(match byte {
-            b'%' => {
-                let digit = |b: Option<u8>| char::from(b?).to_digit(16);
-                let (high, low) = (digit(rest.next())?, digit(rest.next())?);
-                u8::try_from(16 * high + low).ok()?
-            }
-            byte => byte,
-        });
-    }
-    String::from_utf8(bytes).ok()
-}
-
-#[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used)]
-
-    use super::*;
-
-    #[test]
-    fn uris_of_files_are_paths() {
-        for uri in ["file:/a b/c.fmu", "file:///a%20b/c.fmu", "file:////a%20b/c.fmu", "/a b/c.fmu"]
-        {
-            assert_eq!(path(uri).unwrap(), Path::new("/a b/c.fmu"), "{uri}");
-        }
-        assert_eq!(path("file://localhost/x").unwrap(), Path::new("/x"));
-        assert_eq!(path("a%20b.fmu").unwrap(), Path::new("a%20b.fmu"));
-        for (uri, part) in
-            [("file:///a%2", "two hexadecimal"), ("file://host/a", "on this machine")]
-        {
-            assert!(path(uri).unwrap_err().to_string().contains(part), "{uri}");
-        }
     }
 }

@@ -4,11 +4,10 @@
 //! the co-simulation (`algorithm`, `endTime`, `logVariables`), as Maestro takes it.
 
 mod locate;
-mod ports;
-mod read;
 mod write;
 
-pub use read::{holds_multi_model, is_multi_model, read};
+pub use locate::holds_multi_model;
+pub(super) use locate::system;
 pub use write::{FILE_NAME, fmu_file, multi_model};
 
 use std::collections::BTreeMap;

@@ -12,17 +12,17 @@ use cordon_core::exact;
 pub const FILE_NAME: &str = "multi-model.json";
 
 /// Name of a model's FMU beside the multi-model.
-pub fn fmu_file(model: Model) -> String {
+pub fn fmu_file(model: &Model) -> String {
     format!("{}.fmu", model.identifier())
 }
 
 /// The key of a model.
-fn key(model: Model) -> String {
+fn key(model: &Model) -> String {
     format!("{{{}}}", model.identifier())
 }
 
 fn instance_key(instance: &Instance) -> String {
-    format!("{}.{}", key(instance.model), instance.name)
+    format!("{}.{}", key(&instance.model), instance.name)
 }
 
 /// The multi-model of a co-simulation, its FMUs beside it.

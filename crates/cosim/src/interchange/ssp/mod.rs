@@ -1,5 +1,9 @@
 //! SSP 1.0: the system structure, with the FMUs, in one archive.
 
+mod read;
+
+pub(super) use read::system;
+
 use std::io::{Cursor, Result};
 
 use quick_xml::Writer;
@@ -13,6 +17,12 @@ use crate::seat::Seat;
 use crate::unit::{Causality, Kind, Value, Variable};
 use cordon_core::exact;
 use cordon_core::text::one_line;
+
+/// How names of archives end.
+pub const ENDING: &str = "ssp";
+
+/// The system structure in an archive.
+const STRUCTURE: &str = "SystemStructure.ssd";
 
 /// Elements of the list of units.
 const UNITS: units::Elements =
@@ -29,7 +39,7 @@ pub fn archive(
 ) -> cordon_core::Result<Vec<u8>> {
     let structure = structure(assembly)?;
     let mut files = vec![
-        ("SystemStructure.ssd".to_owned(), structure),
+        (STRUCTURE.to_owned(), structure),
         (PARAMETERS_FILE.to_owned(), parameters(assembly)?),
     ];
     for model in assembly.models() {
@@ -75,7 +85,7 @@ fn parameters(assembly: &Assembly) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-fn source(model: Model) -> String {
+fn source(model: &Model) -> String {
     format!("resources/{}.fmu", model.identifier())
 }
 
@@ -96,7 +106,7 @@ pub fn structure(assembly: &Assembly) -> Result<Vec<u8>> {
         .write_inner_content(|xml| {
             xml.create_element("ssd:System")
                 .with_attribute(("name", "swarm"))
-                .write_inner_content(|xml| system(xml, assembly))?;
+                .write_inner_content(|xml| swarm(xml, assembly))?;
             let variables: Vec<Variable> =
                 assembly.models().into_iter().flat_map(Model::variables).collect();
             units::write(xml, &UNITS, variables.iter().filter(|v| is_connector(v)))?;
@@ -112,7 +122,7 @@ pub fn structure(assembly: &Assembly) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-fn system(xml: &mut Xml, assembly: &Assembly) -> Result<()> {
+fn swarm(xml: &mut Xml, assembly: &Assembly) -> Result<()> {
     let names = names(assembly);
     xml.create_element("ssd:Elements").write_inner_content(|xml| {
         let named = names.iter().zip(&assembly.instances).enumerate();
@@ -150,7 +160,7 @@ fn component(
     xml.create_element("ssd:Component")
         .with_attribute(("name", name))
         .with_attribute(("type", "application/x-fmu-sharedlibrary"))
-        .with_attribute(("source", source(instance.model).as_str()))
+        .with_attribute(("source", source(&instance.model).as_str()))
         .with_attribute(("implementation", "CoSimulation"))
         .write_inner_content(|xml| {
             xml.create_element("ssd:Connectors").write_inner_content(|xml| {

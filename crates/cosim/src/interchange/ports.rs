@@ -1,11 +1,11 @@
-//! The names in a multi-model: `{fmu}.instance.variable`.
+//! The names in a system: `{fmu}.instance.variable`.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use serde_json::Value as Json;
 
-use super::MultiModel;
+use super::into_cps::MultiModel;
 use cordon_core::{Error, Result};
 
 /// An instance of an FMU.
@@ -54,7 +54,8 @@ impl Port {
     }
 }
 
-/// A multi-model by its ports.
+/// A system by its ports.
+#[derive(Default)]
 pub(super) struct Ports {
     /// All connections, from output to input.
     pub wires: BTreeSet<(Port, Port)>,
@@ -76,22 +77,30 @@ impl Ports {
             let known: Vec<_> = model.fmus.keys().map(String::as_str).collect();
             Err(Error::input(format!("`{text}`: expected an FMU among {}", known.join(", "))))
         };
-        let mut ports = Self { wires: BTreeSet::new(), settings: BTreeMap::new() };
+        let mut ports = Self::default();
         for (from, targets) in &model.connections {
             let from = port(from)?;
             for to in targets {
-                let to = port(to)?;
-                for end in [&from, &to] {
-                    ports.settings.entry(end.instance.clone()).or_default();
-                }
-                ports.wires.insert((from.clone(), to));
+                ports.connect(from.clone(), port(to)?);
             }
         }
         for (name, value) in &model.parameters {
-            let Port { instance, variable } = port(name)?;
-            ports.settings.entry(instance).or_default().insert(variable, value.clone());
+            ports.set(port(name)?, value.clone());
         }
         Ok(ports)
+    }
+
+    /// Adds a connection.
+    pub fn connect(&mut self, from: Port, to: Port) {
+        for end in [&from, &to] {
+            self.settings.entry(end.instance.clone()).or_default();
+        }
+        self.wires.insert((from, to));
+    }
+
+    /// Sets a variable.
+    pub fn set(&mut self, Port { instance, variable }: Port, value: Json) {
+        self.settings.entry(instance).or_default().insert(variable, value);
     }
 
     /// The instances to which an instance sends something (from one variable, or from any).

@@ -1,4 +1,4 @@
-//! Reads multi-models as scenarios.
+//! Reads the systems of other tools as scenarios.
 //!
 //! What is read has to be a swarm: drones of a coordination unit of this program, a controller
 //! and a plant each, connected as [`Assembly`] connects them. A controller or a plant may be an
@@ -9,69 +9,64 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use cordon_spec::Phase;
-use serde::Deserialize;
-use serde::de::IgnoredAny;
 use serde_json::Value as Json;
 
-use super::MultiModel;
-use super::locate::{self, Found};
+use super::into_cps::{self, MasterAlgorithm};
 use super::ports::{Instance, Port, Ports};
+use super::{Assembly, End, ssp};
+use crate::coordination::OwnLaw;
 use crate::cosimulation::Cosimulation;
 use crate::fmi::archive::Fmu;
 use crate::fmi::interface::{Model, Positions, TAU};
-use crate::interchange::{Assembly, End};
 use crate::quotient::Quotient;
 use crate::seat::Seat;
 use crate::unit::Value;
 use cordon_core::exact::{self, Rational};
-use cordon_core::files::{self, Limit};
 use cordon_core::{Error, Result};
 use cordon_run::scenario::{Draft, Flight, Parameter, Start, Substitute, UnitName};
 
-/// Whether a file's name says that it is a multi-model.
-pub fn is_multi_model(path: &Path) -> bool {
-    path.extension().is_some_and(|e| e == "json")
+/// Whether a file's name says that it is a multi-model or an SSP archive.
+pub fn is_system(path: &Path) -> bool {
+    path.extension().is_some_and(|e| e == "json" || e == ssp::ENDING)
 }
 
-/// Whether a JSON file is a multi-model, or the configuration of a co-simulation that names one, by
-/// its fields: runs are JSON too.
+/// Reads a multi-model, the configuration of a co-simulation that names one, or an SSP archive, as a
+/// scenario.
 ///
 /// # Errors
-/// The file cannot be read.
-pub fn holds_multi_model(path: &Path) -> Result<bool> {
-    #[derive(Deserialize)]
-    struct Fields {
-        fmus: Option<IgnoredAny>,
-        multimodel_path: Option<IgnoredAny>,
-    }
-    let text = files::read_text(path, Limit::RUN)?;
-    let fields = serde_json::from_str::<Fields>(&text);
-    Ok(fields.is_ok_and(|f| f.fmus.is_some() || f.multimodel_path.is_some()))
-}
-
-/// Reads a multi-model, or the configuration of a co-simulation that names one, as a scenario.
-///
-/// # Errors
-/// The file or one of its FMUs cannot be read, or it is not the multi-model of a swarm: the
-/// message names the file and what does not fit.
+/// The file or one of its FMUs cannot be read, or it is not the system of a swarm: the message names
+/// the file and what does not fit.
 pub fn read(path: &Path) -> Result<Draft> {
     let named = |e: Error| match e {
         Error::Input(what) => Error::input(format!("{}: {what}", path.display())),
         e => e,
     };
-    let Found { model, folder } = locate::model(path)?;
-    let mut fmus = BTreeMap::new();
-    for (key, file) in &model.fmus {
-        let file = locate::file(&folder, file).map_err(named)?;
-        fmus.insert(key.clone(), Fmu::open(&file)?);
-    }
-    Reader { ports: Ports::of(&model).map_err(named)?, model: &model, fmus }.draft().map_err(named)
+    let system = match path.extension().is_some_and(|e| e == ssp::ENDING) {
+        true => ssp::system(path)?,
+        false => into_cps::system(path)?,
+    };
+    system.draft().map_err(named)
 }
 
-struct Reader<'m> {
-    model: &'m MultiModel,
-    ports: Ports,
-    fmus: BTreeMap<String, Fmu>,
+/// Instances of FMUs and their connections, as a file has them.
+pub(super) struct System {
+    /// What it is about, where the file says so.
+    pub title: Option<String>,
+    /// The FMUs by their keys, in braces.
+    pub fmus: BTreeMap<String, Fmu>,
+    pub ports: Ports,
+    pub clock: Clock,
+    /// Start and end in seconds, where the file says so.
+    pub start: Option<f64>,
+    pub end: Option<f64>,
+}
+
+/// The length of a step.
+pub(super) enum Clock {
+    /// As the units have it.
+    Units,
+    /// As the configuration says, where it says something.
+    Said(Option<MasterAlgorithm>),
 }
 
 /// The three instances of a drone.
@@ -81,21 +76,22 @@ struct Drone {
     models: [Option<Model>; UnitName::ALL.len()],
 }
 
-impl Reader<'_> {
+impl System {
     fn draft(&self) -> Result<Draft> {
         let drones = self.drones()?;
-        let mut draft = self.as_read(&drones)?;
+        let draft = self.as_read(&drones)?;
+        let mut draft = Draft { title: self.title.clone(), ..draft };
         let names = self.compare(&drones, &draft)?;
         draft.flight.units = self.substitutes(&drones, &names)?;
         Ok(draft)
     }
 
-    fn model_of(&self, instance: &Instance) -> Option<Model> {
+    fn model_of(&self, instance: &Instance) -> Option<&Model> {
         self.fmus.get(&instance.fmu).and_then(Fmu::model)
     }
 
     /// The value of a variable: as set, or the model's start value.
-    fn value(&self, instance: &Instance, model: Model, variable: &str) -> Result<String> {
+    fn value(&self, instance: &Instance, model: &Model, variable: &str) -> Result<String> {
         let set = self.ports.settings.get(instance).and_then(|s| s.get(variable));
         match set {
             Some(Json::String(text)) => Ok(text.clone()),
@@ -114,14 +110,14 @@ impl Reader<'_> {
         }
     }
 
-    fn number(&self, instance: &Instance, model: Model, variable: &str) -> Result<Rational> {
+    fn number(&self, instance: &Instance, model: &Model, variable: &str) -> Result<Rational> {
         exact::parse(&format!("{instance}.{variable}"), &self.value(instance, model, variable)?)
     }
 
     fn whole<T: std::str::FromStr>(
         &self,
         instance: &Instance,
-        model: Model,
+        model: &Model,
         variable: &str,
     ) -> Result<T> {
         let text = self.value(instance, model, variable)?;
@@ -134,7 +130,7 @@ impl Reader<'_> {
     fn drones(&self) -> Result<Vec<Drone>> {
         let mut by_id = BTreeMap::new();
         for instance in self.ports.settings.keys() {
-            if let Some(model @ Model::Coordination(_)) = self.model_of(instance) {
+            if let Some(model) = self.model_of(instance).filter(|m| m.positions().is_some()) {
                 let id: usize = self.whole(instance, model, "id")?;
                 if let Some(other) = by_id.insert(id, (instance.clone(), model)) {
                     return Err(Error::input(format!(
@@ -147,7 +143,10 @@ impl Reader<'_> {
         let count = by_id.len();
         let mut drones = Vec::with_capacity(count);
         for (place, (id, (coordination, model))) in by_id.into_iter().enumerate() {
-            let said: usize = self.whole(&coordination, model, "count")?;
+            let said: usize = match model {
+                Model::Protocol(_, carried) => carried.own.system.agents,
+                _ => self.whole(&coordination, model, "count")?,
+            };
             if id != place || said != count {
                 return Err(Error::input(format!(
                     "{coordination}: drone {id} of {said}: expected drone {place} of {count}, \
@@ -164,10 +163,10 @@ impl Reader<'_> {
         Ok(drones)
     }
 
-    fn drone(&self, coordination: Instance, model: Model) -> Result<Drone> {
+    fn drone(&self, coordination: Instance, model: &Model) -> Result<Drone> {
         let others = |from: &Instance, variable: Option<&str>| {
             let mut targets = self.ports.targets(from, variable);
-            targets.retain(|t| !matches!(self.model_of(t), Some(Model::Coordination(_))));
+            targets.retain(|t| self.model_of(t).is_none_or(|m| m.positions().is_none()));
             targets
         };
         let one = |what: &str, from: &Instance, found: BTreeSet<Instance>| {
@@ -183,9 +182,10 @@ impl Reader<'_> {
         let control = one("controller", &coordination, others(&coordination, Some("x_d")))?;
         let plant = one("plant", &control, others(&control, None))?;
         let models = [Some(model), self.model_of(&control), self.model_of(&plant)];
+        let models = models.map(Option::<&Model>::cloned);
         let expected = [(1, Model::Control, &control), (2, Model::Plant, &plant)];
         for (place, wanted, instance) in expected {
-            if models[place].is_some_and(|m| m != wanted) {
+            if models[place].as_ref().is_some_and(|m| *m != wanted) {
                 return Err(Error::input(format!(
                     "{instance}: expected `{}` here, or an FMU of another tool",
                     wanted.identifier()
@@ -202,28 +202,39 @@ impl Reader<'_> {
         let mut common = None;
         for drone in drones {
             let [coordination, _, plant] = &drone.units;
-            let Some(model @ Model::Coordination(positions)) = drone.models[0] else { continue };
+            let Some(model) = &drone.models[0] else { continue };
+            let Some(positions) = model.positions() else { continue };
             if positions == Positions::SixDigits {
                 return Err(Error::input(format!(
                     "{coordination}: expected exact positions or doubles: the arithmetic of the \
                      recorded runs needs a scenario file and `--compat recorded`"
                 )));
             }
-            start.push(self.number(coordination, model, "start")?);
-            let number = |variable| self.number(coordination, model, variable);
+            let number = |variable: &str| self.number(coordination, model, variable);
+            let of_others = match model {
+                Model::Protocol(_, carried) => {
+                    let law = OwnLaw::open(&carried.own, &[], 0);
+                    for v in 0..law.variables.len() {
+                        start.push(number(&law.named("start", v))?);
+                    }
+                    let names = carried.own.constants().map(|(p, _)| p.name.clone());
+                    let value = |name: String| Ok((number(&format!("parameters.{name}"))?, name));
+                    names.map(value).collect::<Result<Vec<_>>>()?
+                }
+                _ => {
+                    start.push(number("start")?);
+                    let value = |name: &str| Ok((number(name)?, name.to_owned()));
+                    ["min", "max", "weight"].into_iter().map(value).collect::<Result<_>>()?
+                }
+            };
             let period: u32 = self.whole(coordination, model, "period")?;
             let is_last = match positions {
                 Positions::Exact => self.value(coordination, model, "first_update")? == "last",
                 _ => self.value(coordination, model, "update_last")? == "true",
             };
             let phase = if is_last { Phase::Last } else { Phase::First };
-            let shared = (
-                [number("min")?, number("max")?, number("weight")?, number(TAU)?],
-                period,
-                phase,
-                self.value(coordination, model, "skip_lost")?,
-                positions,
-            );
+            let skip = self.value(coordination, model, "skip_lost")?;
+            let shared = (of_others, number(TAU)?, period, phase, skip, model);
             match &common {
                 Some(known) if *known != shared => {
                     return Err(Error::input(format!(
@@ -232,21 +243,20 @@ impl Reader<'_> {
                 }
                 _ => common = Some(shared),
             }
-            actual.push(match drone.models[2] {
+            actual.push(match &drone.models[2] {
                 Some(model) => self.number(plant, model, "x0")?,
-                None => start.last().cloned().unwrap_or_default(),
+                None => number("start")?,
             });
         }
-        let Some(([min, max, weight, tau], period, phase, skip, positions)) = common else {
+        let Some((parameters, tau, period, phase, skip, model)) = common else {
             return Err(Error::internal("a swarm was read that has no drones"));
         };
+        let is_exact = model.positions() == Some(Positions::Exact);
         let mut flight = Flight {
             start: Some(actual),
-            exchange: Some(
-                if positions == Positions::Exact { "exact" } else { "double" }.to_owned(),
-            ),
+            exchange: Some(if is_exact { "exact" } else { "double" }.to_owned()),
             on_loss: Some(if skip == "true" { "skip" } else { "hold" }.to_owned()),
-            duration: Some(self.duration(&tau)?),
+            duration: self.duration(&tau)?,
             ..Flight::default()
         };
         if let Some((control, model)) = first(drones, 1) {
@@ -257,38 +267,57 @@ impl Reader<'_> {
         if let Some((plant, model)) = first(drones, 2) {
             flight.integrator = Some(self.value(plant, model, "integrator")?);
         }
-        Ok(Draft {
-            min: Some(min),
-            max: Some(max),
+        let draft = Draft {
             start: Some(Start::Listed(start)),
-            weight: Some(weight),
             period: Some(period),
             phase: Some(phase),
             tau: Some(tau),
             flight,
             ..Draft::default()
+        };
+        let mut parameters: BTreeMap<_, _> =
+            parameters.into_iter().map(|(value, name)| (name, value)).collect();
+        Ok(match model {
+            Model::Protocol(_, carried) => Draft {
+                protocol: Some(carried.own.file.clone()),
+                protocol_text: Some(carried.own.text.clone()),
+                parameters,
+                ..draft
+            },
+            _ => Draft {
+                min: parameters.remove("min"),
+                max: parameters.remove("max"),
+                weight: parameters.remove("weight"),
+                ..draft
+            },
         })
     }
 
-    /// The length of the run, a whole number of steps.
-    fn duration(&self, tau: &Rational) -> Result<Rational> {
+    /// The length of the run, a whole number of steps; `None` where an archive does not say it.
+    fn duration(&self, tau: &Rational) -> Result<Option<Rational>> {
         let step = exact::to_f64(tau);
-        let Some(algorithm) = &self.model.algorithm else {
-            return Err(Error::input("algorithm is missing: expected a fixed step"));
-        };
-        if algorithm.kind != "fixed-step" || algorithm.size != Some(step) {
-            let size = algorithm.size.map_or("none".to_owned(), |s| s.to_string());
-            return Err(Error::input(format!(
-                "algorithm: `{}` of size {size}: expected `fixed-step` of size {step}, the units' `{TAU}`",
-                algorithm.kind
-            )));
+        match (&self.clock, self.end) {
+            (Clock::Units, None) => return Ok(None),
+            (Clock::Units, Some(_)) => {}
+            (Clock::Said(None), _) => {
+                return Err(Error::input("algorithm is missing: expected a fixed step"));
+            }
+            (Clock::Said(Some(algorithm)), _) => {
+                if algorithm.kind != "fixed-step" || algorithm.size != Some(step) {
+                    let size = algorithm.size.map_or("none".to_owned(), |s| s.to_string());
+                    return Err(Error::input(format!(
+                        "algorithm: `{}` of size {size}: expected `fixed-step` of size {step}, the units' `{TAU}`",
+                        algorithm.kind
+                    )));
+                }
+            }
         }
-        let end = self.model.end_time.unwrap_or(f64::NAN);
-        let start = self.model.start_time.unwrap_or(0.0);
+        let end = self.end.unwrap_or(f64::NAN);
+        let start = self.start.unwrap_or(0.0);
         let steps = (end / step).round();
         let duration = Rational::from_float(steps).unwrap_or_default() * tau;
         if start == 0.0 && end >= 0.0 && exact::to_f64(&duration) == end {
-            return Ok(duration);
+            return Ok(Some(duration));
         }
         Err(Error::input(format!(
             "a run from {start} to {end} s: expected one from 0 to a whole multiple of {step} s"
@@ -299,7 +328,10 @@ impl Reader<'_> {
     /// call their variables, where a connection to a unit of this program tells.
     fn compare(&self, drones: &[Drone], draft: &Draft) -> Result<Names> {
         let swarm = Cosimulation::new(draft.clone().finish()?, draft.flight.clone())?;
-        let assembly = Assembly::of(&swarm)?;
+        let assembly = match self.clock {
+            Clock::Units => Assembly::of(&swarm)?.with_first_inputs(&swarm)?,
+            Clock::Said(_) => Assembly::of(&swarm)?,
+        };
         let mut unmatched = self.ports.wires.clone();
         let mut names = Names::new();
         for (from, to) in &assembly.connections {
@@ -375,7 +407,8 @@ impl Reader<'_> {
                     Ok((name.clone(), value))
                 };
                 let parameters = set.map(parameter).collect::<Result<_>>()?;
-                substitutes.push(Substitute { drone, unit, fmu, names, parameters });
+                let ranges = BTreeMap::new();
+                substitutes.push(Substitute { drone, unit, fmu, names, parameters, ranges });
             }
         }
         Ok(substitutes)
@@ -383,14 +416,14 @@ impl Reader<'_> {
 }
 
 /// The first instance at a place of a drone that is a unit of this program.
-fn first(drones: &[Drone], place: usize) -> Option<(&Instance, Model)> {
-    drones.iter().find_map(|d| Some((d.units.get(place)?, (*d.models.get(place)?)?)))
+fn first(drones: &[Drone], place: usize) -> Option<(&Instance, &Model)> {
+    drones.iter().find_map(|d| Some((d.units.get(place)?, d.models.get(place)?.as_ref()?)))
 }
 
-fn unit_at(drones: &[Drone], seat: Seat) -> Option<(&Instance, Option<Model>)> {
+fn unit_at(drones: &[Drone], seat: Seat) -> Option<(&Instance, Option<&Model>)> {
     let drone = drones.get(seat.drone)?;
     let place = seat.unit.place();
-    Some((drone.units.get(place)?, *drone.models.get(place)?))
+    Some((drone.units.get(place)?, drone.models.get(place)?.as_ref()))
 }
 
 /// What the FMUs of other tools call the variables of the units whose places they take.

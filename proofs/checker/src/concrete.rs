@@ -8,13 +8,11 @@ use cordon_spec::delay::exec_coverage_delayed;
 use cordon_spec::theorems::{Setting, Subject, Theorem, Truth, Verdict, Violation};
 use cordon_spec::{Params, Scalar, State};
 
+use crate::fault::{Result, fault};
 use crate::format::{Contraction, Delay, Growth, Refutation};
-use crate::kernel::{Fault, fault};
 use crate::number::{Number, exhausted};
 use crate::poly::{Atom, Poly};
 use crate::system::{Step, named};
-
-type Result<T> = std::result::Result<T, Fault>;
 
 /// Most drones of a vector, most drones and steps of a run.
 const MAX_DRONES: usize = 10_000;

@@ -11,25 +11,10 @@ use cordon_spec::Scalar;
 
 use crate::expr::Relation::{NonNegative, Positive, Zero};
 use crate::expr::{Literal, Signature, Sort, Vars};
+use crate::fault::{Result, fault};
 use crate::format::{self, Cases, Definition, Induction, Named, Positivity, Proof, Split};
 use crate::number::{charge, exhausted};
 use crate::poly::{Atom, Poly};
-
-/// Why something was not accepted.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fault {
-    /// The rule that failed.
-    pub rule: &'static str,
-    /// Why.
-    pub reason: String,
-}
-
-/// A fault of that rule.
-pub fn fault<T>(rule: &'static str, reason: impl Into<String>) -> Result<T> {
-    Err(Fault { rule, reason: reason.into() })
-}
-
-type Result<T> = std::result::Result<T, Fault>;
 
 /// A universally quantified implication.
 #[derive(Clone, Debug)]

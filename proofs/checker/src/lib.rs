@@ -8,18 +8,23 @@
 
 pub mod concrete;
 pub mod expr;
+pub mod fault;
 pub mod format;
+pub mod invariance;
 pub mod kernel;
 pub mod linear;
+pub mod matrix;
 pub mod number;
 pub mod poly;
+pub mod quadratic;
 pub mod system;
 
 use std::fmt;
 
 use cordon_spec::coverage::exec_coverage;
+use fault::{Fault, fault};
 use format::{Kind, Theorem};
-use kernel::{Fault, Kernel, fault};
+use kernel::Kernel;
 use system::Step;
 
 /// What the checker says of a file.
@@ -100,8 +105,8 @@ pub fn check_of(text: &str, step: Step) -> Verdict {
         Kind::Contraction(c) => ("contraction", concrete::contraction(c, step).map(|c| (c, 1))),
         Kind::Growth(c) => ("growth", concrete::growth(c, step).map(|c| (c, 1))),
         Kind::Refutation(c) => ("refutation", concrete::refutation(c).map(|c| (c, 1))),
-        Kind::Invariance(c) => ("invariance", linear::invariance(c)),
-        Kind::Quadratic(c) => ("quadratic", linear::quadratic(c)),
+        Kind::Invariance(c) => ("invariance", invariance::invariance(c)),
+        Kind::Quadratic(c) => ("quadratic", quadratic::quadratic(c)),
     };
     // Without work left numbers are not what they should be: neither is what was said of them.
     let result =

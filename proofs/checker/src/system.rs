@@ -20,11 +20,10 @@ use cordon_spec::{Params, Scalar, State};
 
 use crate::expr::Relation::{self, NonNegative, Positive, Zero};
 use crate::expr::{Literal, Sort};
+use crate::fault::{Result, fault};
 use crate::format::{self, Family, System};
-use crate::kernel::{Clause, Fault, Kernel, fault};
+use crate::kernel::{Clause, Kernel};
 use crate::poly::{Atom, Poly};
-
-type Result<T> = std::result::Result<T, Fault>;
 
 /// Drones in a row of symbols: two on either side of the one looked at.
 const ROW: usize = 5;

@@ -8,7 +8,6 @@
 //!   forms whose coefficients are read off their values;
 //! * a refutation is decided by running the protocol, written out here, and asking the
 //!   theorem's predicates.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::collections::BTreeMap;
 use std::fs;

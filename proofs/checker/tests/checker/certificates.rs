@@ -1,6 +1,5 @@
 //! The committed certificates are valid, and the permanent bad ones are rejected by the rule that
 //! their index states; mended in the one point that is wrong, each is accepted.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,6 +1,5 @@
 //! The second checker, in another language and written from FORMAT.md alone, gives the same verdicts,
 //! by the same rules, on every committed certificate, every bad one, and mutants of the former.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::fs;
 use std::path::{Path, PathBuf};

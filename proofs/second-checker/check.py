@@ -355,8 +355,7 @@ class Kernel:
         self.functions[name] = len(of), "real"
         step, here = self.poly(d["step"], of), var(last) if last else {}
         known = [next(iter(value(add(here, const(j)))))[0] for j in range(len(base))]
-        other = sub(step, lambda a: {} if a in known else None)
-        need(not any(a[0] == "app" and a[1] == name for a in atoms(other)), "`step` reads other arguments")
+        need(all(a in known for a in atoms(step) if a[:2] == ("app", name)), "`step` reads other arguments")
         for j, p in enumerate(first):
             self.learn(f"{name}.{j}", (parameters, {}, (p, ZERO)))
         self.learn(f"{name}.step", (of, given, (add(mul(factor, value(add(here, const(len(base))))), step, -1), ZERO)))

@@ -196,9 +196,10 @@ impl Kernel {
         let here = last.map_or_else(Poly::default, |v| Poly::var(&v));
         let values: BTreeSet<Poly> =
             (0..).take(d.base.len()).map(|j| value(&(here.clone() + &Poly::whole(j)))).collect();
-        let known = |a: &Atom| values.contains(&Poly::atom(a.clone()));
-        let other = step.substitute(&|a| known(a).then(Poly::default));
-        if other.any(&|a| matches!(a, Atom::App(f, _) if *f == name)) {
+        let other = |a: &Atom| {
+            matches!(a, Atom::App(f, _) if *f == name) && !values.contains(&Poly::atom(a.clone()))
+        };
+        if step.any(&other) {
             return fault(RULE, format!("`step` reads `{name}` at other arguments"));
         }
         let next = value(&(here + &Poly::from_index(d.base.len())));

@@ -13,7 +13,7 @@ const CERTIFICATES: usize = 59;
 const PROVED: usize = 344;
 
 /// How many bad ones are.
-const MUST_NOT_PROVE: usize = 318;
+const MUST_NOT_PROVE: usize = 319;
 
 /// Where a file can be rejected (a split cannot fail by itself).
 const RULES: [&str; 14] = [

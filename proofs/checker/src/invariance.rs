@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::expr::Literal;
 use crate::expr::Relation::{Positive, Zero};
+use crate::expr::{Literal, joined};
 use crate::fault::{Result, fault, need};
 use crate::format::{Edge, Invariance, Named};
-use crate::linear::{System, at, joined};
+use crate::linear::{System, at};
 use crate::number::{Number, charge, exhausted};
 use crate::poly::Poly;
 
@@ -96,10 +96,7 @@ pub fn invariance(c: &Invariance) -> Result<(String, usize)> {
         claims.entry(goal).or_default().insert(&claim.at);
     }
     need!(!claims.is_empty(), RULE, "nothing is claimed");
-    let mut words = vec![system.words()];
-    if !start.is_empty() {
-        words.push(format!("assuming of the start: {}", joined(start, " and ")));
-    }
+    let mut words = vec![system.words(&Named::default(), start)];
     words.extend(said(c, system.modes.len(), &claims));
     Ok((words.join("\n  "), proved))
 }

@@ -6,7 +6,6 @@
 
 #![forbid(unsafe_code)]
 
-pub mod concrete;
 pub mod expr;
 pub mod fault;
 pub mod format;
@@ -17,7 +16,9 @@ pub mod matrix;
 pub mod number;
 pub mod poly;
 pub mod quadratic;
+pub mod refutation;
 pub mod system;
+pub mod vector;
 
 use std::fmt;
 
@@ -100,11 +101,13 @@ pub fn check_of(text: &str, step: Step) -> Verdict {
         Ok(kind) => kind,
         Err(reason) => return Verdict::Unreadable { reason },
     };
+    let once = |claim| (claim, 1);
     let (clause, result) = match &kind {
         Kind::Theorem(t) => theorem(t, step),
-        Kind::Contraction(c) => ("contraction", concrete::contraction(c, step).map(|c| (c, 1))),
-        Kind::Growth(c) => ("growth", concrete::growth(c, step).map(|c| (c, 1))),
-        Kind::Refutation(c) => ("refutation", concrete::refutation(c).map(|c| (c, 1))),
+        Kind::Contraction(c) => ("contraction", vector::contraction(c, step).map(once)),
+        Kind::Growth(c) => ("growth", vector::growth(c, step).map(once)),
+        Kind::Refutation(c) => ("refutation", refutation::refutation(c).map(once)),
+        Kind::Counterexample(c) => ("counterexample", refutation::counterexample(c).map(once)),
         Kind::Invariance(c) => ("invariance", invariance::invariance(c)),
         Kind::Quadratic(c) => ("quadratic", quadratic::quadratic(c)),
     };

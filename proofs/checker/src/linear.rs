@@ -6,9 +6,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::expr::{Literal, Signature, Sort};
+use crate::expr::{Literal, Signature, Sort, joined};
 use crate::fault::{Result, fault, need};
-use crate::format::Linear;
+use crate::format::{Linear, Named};
 use crate::kernel::Kernel;
 use crate::number::{Number, charge};
 use crate::poly::{Atom, Poly};
@@ -142,21 +142,22 @@ impl<'c> System<'c> {
         Ok(all)
     }
 
-    /// The system in words.
-    pub fn words(&self) -> String {
-        let mut words = format!("a linear system of {}", self.written.state.join(", "));
+    /// The system in words, with the values of parameters that are given for the whole run, and what is assumed of the start.
+    pub fn words(&self, with: &Named<Number>, assumed: &[Literal]) -> String {
+        let mut words = format!("a linear system of {}", joined(&self.written.state, ", "));
         for (name, rows) in &self.modes {
-            let rows: Vec<String> = rows.iter().map(|(v, row)| format!("{v}' = {row}")).collect();
-            words += &format!("\n  mode {name}: {}", rows.join(", "));
+            let rows = rows.iter().map(|(v, row)| format!("{v}' = {row}"));
+            words += &format!("\n  mode {name}: {}", joined(rows, ", "));
         }
         for (name, [low, high]) in &self.written.parameters.0 {
-            words += &format!("\n  in each step any {name} in [{low}, {high}]");
+            words += &match with.0.get(name) {
+                Some(value) => format!("\n  in every step {name} = {value}"),
+                None => format!("\n  in each step any {name} in [{low}, {high}]"),
+            };
+        }
+        if !assumed.is_empty() {
+            words += &format!("\n  assuming of the start: {}", joined(assumed, " and "));
         }
         words
     }
-}
-
-/// What `each` is, joined by that word.
-pub fn joined<T: ToString>(each: impl IntoIterator<Item = T>, by: &str) -> String {
-    each.into_iter().map(|one| one.to_string()).collect::<Vec<_>>().join(by)
 }

@@ -1,9 +1,9 @@
 //! Limits of readouts of linear systems, by quadratic forms.
 
-use crate::expr::Signature;
+use crate::expr::{Signature, joined};
 use crate::fault::{Result, fault, need};
-use crate::format::Quadratic;
-use crate::linear::{System, Values, affine, at, joined, reals};
+use crate::format::{Named, Quadratic};
+use crate::linear::{System, Values, affine, at, reals};
 use crate::matrix::{Matrix, congruent, definite, difference, symmetric};
 use crate::number::Number;
 use crate::poly::{Atom, Poly};
@@ -100,7 +100,8 @@ pub fn quadratic(c: &Quadratic) -> Result<(String, usize)> {
             format!("from {start}{modes}: these do not all tend to 0")
         }
     };
-    Ok((format!("{}\n  proved {said}: {}", system.words(), joined(readouts, ", ")), proved))
+    let words = system.words(&Named::default(), &[]);
+    Ok((format!("{words}\n  proved {said}: {}", joined(readouts, ", ")), proved))
 }
 
 /// Whether each monomial has one of the coordinates.

@@ -71,6 +71,9 @@ KINDS = {
         "step": "u32", "violation": {"step": "u64", "subject": "text", "at?": "u64"}, "activation?": [["u64"]],
         "delay?": [[{"drone": "u64", "sees": "u64", "age": "u64"}]],
     },
+    "counterexample": {
+        "system": LINEAR, "assumptions?": ["text"], "start": NUMBERS, "with?": FACTORS, "steps": [{"by": "text", "with?": FACTORS}], "claim": "text",
+    },
     "invariance": {
         "system": LINEAR, "nodes": {"*": ["text"]}, "start": "text",
         "edges": [{"from": "text", "by?": "text", "to": "text", "multipliers": [[FACTORS]]}],
@@ -355,8 +358,7 @@ class Kernel:
         self.functions[name] = len(of), "real"
         step, here = self.poly(d["step"], of), var(last) if last else {}
         known = [next(iter(value(add(here, const(j)))))[0] for j in range(len(base))]
-        other = sub(step, lambda a: {} if a in known else None)
-        need(not any(a[0] == "app" and a[1] == name for a in atoms(other)), "`step` reads other arguments")
+        need(all(a in known for a in atoms(step) if a[:2] == ("app", name)), "`step` reads other arguments")
         for j, p in enumerate(first):
             self.learn(f"{name}.{j}", (parameters, {}, (p, ZERO)))
         self.learn(f"{name}.step", (of, given, (add(mul(factor, value(add(here, const(len(base))))), step, -1), ZERO)))
@@ -718,6 +720,30 @@ def affine(text, names, variables):
 
 def at_names(p, values):
     return sub(p, lambda a: values.get(a[1]) if a[0] == "var" else None)
+
+
+def counterexample(c):
+    def need(ok, why):
+        if not ok:
+            raise Invalid("counterexample", why)
+
+    def holds(literal):
+        p, relation = literal
+        value = at_names(p, state).get((), 0)
+        return value > 0 or value == 0 and relation != POSITIVE if relation != ZERO else value == 0
+    system, names, constants = Linear(c["system"]), c["system"]["state"], c.get("with", {})
+    assumed, claim = [system.literal(t) for t in c.get("assumptions", [])], system.literal(c["claim"])
+    need(len(c["start"]) == len(names), "a number a variable")
+    state = {v: const(x) for v, x in zip(names, c["start"])}
+    need(all(map(holds, assumed)), "the start does not meet what is assumed")
+    for values in [constants, *(step.get("with", {}) for step in c["steps"])]:
+        need(all(n in system.ranges and system.ranges[n][0] <= x <= system.ranges[n][1] for n, x in values.items()), "out of range")
+    for step in c["steps"]:
+        chosen = step.get("with", {})
+        need(sorted([*constants, *chosen]) == sorted(system.ranges), "each parameter needs one value")
+        now = {**state, **{n: const(x) for n, x in {**constants, **chosen}.items()}}
+        state = {**state, **{v: at_names(p, now) for v, p in system.rows(step["by"]).items()}}
+    need(not holds(claim), "the claim holds")
 
 
 def follows(given, goal, relation, factors):

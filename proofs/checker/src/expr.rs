@@ -37,6 +37,16 @@ pub struct Literal {
 }
 
 impl Literal {
+    /// Whether it says of a constant polynomial what is true; nothing is known of another.
+    pub fn decided(&self) -> Option<bool> {
+        let value = self.poly.value()?;
+        Some(match self.relation {
+            Relation::Positive => value.is_positive(),
+            Relation::NonNegative => value.is_positive() || value.is_zero(),
+            Relation::Zero => value.is_zero(),
+        })
+    }
+
     /// The literal with a polynomial made of its own.
     pub fn map(&self, f: impl FnOnce(&Poly) -> Poly) -> Self {
         Self { poly: f(&self.poly), relation: self.relation }
@@ -97,6 +107,9 @@ impl Signature {
         let poly = parser.sum(0)?;
         match parser.rest {
             "" => Ok(poly),
+            rest if rest.starts_with('.') => Err(format!(
+                "`{text:.60}`: expected a fraction like `1/2` in the place of a decimal"
+            )),
             rest => Err(format!("`{text:.60}`: unexpected `{rest:.20}`")),
         }
     }
@@ -222,21 +235,21 @@ impl<'t> Parser<'t> {
     }
 }
 
+/// What each is, joined by that word.
+pub fn joined<T: ToString>(each: impl IntoIterator<Item = T>, by: &str) -> String {
+    each.into_iter().map(|one| one.to_string()).collect::<Vec<_>>().join(by)
+}
+
 impl fmt::Display for Poly {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (n, (monomial, c)) in self.terms().enumerate() {
             let sign = if c.is_positive() { " + " } else { " - " };
-            f.write_str(if n > 0 {
-                sign
-            } else if c.is_positive() {
-                ""
-            } else {
-                "-"
-            })?;
-            let one = c.magnitude() == Number::whole(1) && !monomial.is_empty();
-            let mut factors = if one { vec![] } else { vec![c.magnitude().to_string()] };
-            factors.extend(monomial.iter().map(ToString::to_string));
-            f.write_str(&factors.join("*"))?;
+            f.write_str(if n > 0 { sign } else { sign.trim().trim_start_matches('+') })?;
+            match (c.magnitude(), joined(monomial, "*")) {
+                (c, atoms) if atoms.is_empty() => c.fmt(f)?,
+                (c, atoms) if c == Number::whole(1) => f.write_str(&atoms)?,
+                (c, atoms) => write!(f, "{c}*{atoms}")?,
+            }
         }
         if self.is_zero() { f.write_str("0") } else { Ok(()) }
     }
@@ -247,10 +260,7 @@ impl fmt::Display for Atom {
         match self {
             Self::Var(name) => f.write_str(name),
             Self::Fact(name) => write!(f, "[{name}]"),
-            Self::App(name, terms) => {
-                let terms: Vec<_> = terms.iter().map(ToString::to_string).collect();
-                write!(f, "{name}({})", terms.join(","))
-            }
+            Self::App(name, terms) => write!(f, "{name}({})", joined(terms, ",")),
         }
     }
 }
@@ -258,19 +268,12 @@ impl fmt::Display for Atom {
 /// Positive terms to the left, negative ones to the right.
 impl fmt::Display for Literal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let side = |positive: bool| {
-            let terms = self.poly.terms().filter(|(_, c)| c.is_positive() == positive);
-            terms.fold(Poly::default(), |p, (m, c)| {
-                let product =
-                    m.iter().fold(Poly::constant(c.magnitude()), |p, a| p * &Poly::atom(a.clone()));
-                p + &product
-            })
-        };
+        let side = |positive| self.poly.part(|c| c.is_positive() == positive);
         let sign = match self.relation {
             Relation::Positive => ">",
             Relation::NonNegative => ">=",
             Relation::Zero => "=",
         };
-        write!(f, "{} {sign} {}", side(true), side(false))
+        write!(f, "{} {sign} {}", side(true), Poly::default() - &side(false))
     }
 }

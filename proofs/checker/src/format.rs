@@ -405,6 +405,31 @@ objects! {
         /// For each mode the variables that it changes, and to what.
         modes: Named<Named<String>>,
     }
+    /// A run of a linear system that violates a claim.
+    Counterexample {
+        /// What runs.
+        system: Linear,
+        /// Literals that the start is assumed to meet.
+        #[serde(default)]
+        assumptions: Vec<String>,
+        /// The start, a number a variable.
+        start: Vec<Number>,
+        /// Values of parameters that are the same in all steps.
+        #[serde(default)]
+        with: Named<Number>,
+        /// What acts, step by step.
+        steps: Vec<Move>,
+        /// The literal that fails after the last step.
+        claim: String,
+    }
+    /// One step of a linear system.
+    Move {
+        /// The mode.
+        by: String,
+        /// The values of the other parameters in it.
+        #[serde(default)]
+        with: Named<Number>,
+    }
     /// What holds along the runs of a linear system.
     Invariance {
         /// What runs.
@@ -474,6 +499,8 @@ pub enum Kind {
     Growth(Growth),
     /// By a run.
     Refutation(Box<Refutation>),
+    /// By a run.
+    Counterexample(Box<Counterexample>),
     /// By Farkas' lemma.
     Invariance(Box<Invariance>),
     /// By a quadratic form.

@@ -10,26 +10,11 @@ use std::rc::Rc;
 use cordon_spec::Scalar;
 
 use crate::expr::Relation::{NonNegative, Positive, Zero};
-use crate::expr::{Literal, Signature, Sort, Vars};
+use crate::expr::{Literal, Signature, Sort, Vars, joined};
+use crate::fault::{Result, fault, need};
 use crate::format::{self, Cases, Definition, Induction, Named, Positivity, Proof, Split};
 use crate::number::{charge, exhausted};
 use crate::poly::{Atom, Poly};
-
-/// Why something was not accepted.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fault {
-    /// The rule that failed.
-    pub rule: &'static str,
-    /// Why.
-    pub reason: String,
-}
-
-/// A fault of that rule.
-pub fn fault<T>(rule: &'static str, reason: impl Into<String>) -> Result<T> {
-    Err(Fault { rule, reason: reason.into() })
-}
-
-type Result<T> = std::result::Result<T, Fault>;
 
 /// A universally quantified implication.
 #[derive(Clone, Debug)]
@@ -37,12 +22,23 @@ pub struct Clause {
     /// The variables.
     pub vars: Vars,
     /// The literals given, by name.
-    pub given: BTreeMap<Rc<str>, Literal>,
+    pub given: Facts,
     /// The goal.
     pub goal: Literal,
 }
 
 impl Clause {
+    /// That a literal holds.
+    pub fn fact(goal: Literal) -> Self {
+        Self { vars: Vars::new(), given: Facts::new(), goal }
+    }
+
+    /// Whether it is true without a look at what it speaks of.
+    pub fn says_nothing(&self) -> bool {
+        let never = self.given.values().any(|l| l.decided() == Some(false));
+        never || self.goal.decided() == Some(true)
+    }
+
     /// The clause with polynomials in the place of variables.
     fn with(&self, value: &dyn Fn(&str) -> Option<Poly>) -> Self {
         let at = |p: &Poly| p.with(value);
@@ -56,25 +52,25 @@ impl Clause {
     }
 }
 
+/// What is said: literals given that hold anyway are left out.
 impl fmt::Display for Clause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (sort, word) in [(Sort::Integer, "integers"), (Sort::Real, "reals")] {
-            let names: Vec<&str> =
-                self.vars.iter().filter(|v| v.1 == sort).map(|v| &*v.0).collect();
+            let names = joined(self.vars.iter().filter(|v| v.1 == sort).map(|v| &v.0), ", ");
             if !names.is_empty() {
-                write!(f, "for all {word} {}, ", names.join(", "))?;
+                write!(f, "for all {word} {names}, ")?;
             }
         }
-        let given: Vec<String> = self.given.values().map(ToString::to_string).collect();
+        let given = joined(self.given.values().filter(|l| l.decided() != Some(true)), " and ");
         if !given.is_empty() {
-            write!(f, "if {} then ", given.join(" and "))?;
+            write!(f, "if {given} then ")?;
         }
         self.goal.fmt(f)
     }
 }
 
-/// A name and what a fact of that name says.
-type Facts = BTreeMap<Rc<str>, Literal>;
+/// Names and what the facts of these names say.
+pub type Facts = BTreeMap<Rc<str>, Literal>;
 
 /// What is proved or assumed so far.
 #[derive(Default)]
@@ -100,19 +96,15 @@ impl Kernel {
     /// # Errors
     /// It is no name, or taken.
     pub fn fresh(&self, name: &str, vars: &Vars) -> Result<Rc<str>> {
-        if !charge(128 + vars.len() as u64) {
-            return fault("work", "more than a file is allowed");
-        }
+        need!(charge(128 + vars.len() as u64), "work", "more than a file is allowed");
         let letters = name.starts_with(|c: char| c.is_ascii_alphabetic())
             && name.bytes().all(|b| b.is_ascii_alphanumeric());
         let taken = name == "last"
             || vars.iter().any(|(v, _)| **v == *name)
             || self.signature.constants.contains_key(name)
             || self.signature.functions.contains_key(name);
-        match letters && !taken {
-            true => Ok(name.into()),
-            false => fault("name", format!("`{name:.40}` is no name, or taken")),
-        }
+        need!(letters && !taken, "name", "`{name:.40}` is no name, or taken");
+        Ok(name.into())
     }
 
     /// Adds a clause that is assumed, or that has been proved.
@@ -124,7 +116,8 @@ impl Kernel {
             self.closed.insert(name.into(), clause.goal.clone());
         }
         let taken = self.lemmas.insert(name.into(), clause).is_some();
-        if taken { fault("name", format!("`{name:.40}` is there twice")) } else { Ok(()) }
+        need!(!taken, "name", "`{name:.40}` is there twice");
+        Ok(())
     }
 
     /// The clause of that name.
@@ -142,15 +135,20 @@ impl Kernel {
             let name = self.fresh(&v.name, &vars)?;
             vars.push((name, v.sort));
         }
-        let literal = |text: &str| {
-            self.signature.literal(text, &vars).or_else(|reason| fault("expression", reason))
-        };
         let mut given = Facts::new();
         for g in &written.given {
-            insert(&mut given, &g.name, literal(&g.holds)?)?;
+            insert(&mut given, &g.name, self.literal(&g.holds, &vars)?)?;
         }
-        let goal = literal(&written.goal)?;
+        let goal = self.literal(&written.goal, &vars)?;
         Ok(Clause { vars, given, goal })
+    }
+
+    /// Reads a literal.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn literal(&self, text: &str, vars: &Vars) -> Result<Literal> {
+        self.signature.literal(text, vars).or_else(|reason| fault("expression", reason))
     }
 
     /// Reads a polynomial.
@@ -175,59 +173,53 @@ impl Kernel {
             let argument = self.fresh(argument, &vars)?;
             vars.push((argument, Sort::Integer));
         }
-        let mut given = Facts::new();
-        let mut value: Box<dyn Fn(&Poly) -> Poly> = Box::new(|_| Poly::app(&name, &[]));
-        let mut start = Poly::default();
-        let (parameters, last) = match vars.split_last() {
-            None if d.base.is_empty() && d.from.is_empty() => (Vars::new(), None),
-            None => return fault(RULE, "recursion without an argument"),
+        // The last argument counts, from `start` on.
+        let (parameters, start, here) = match vars.split_last() {
+            None => {
+                let constant = d.base.is_empty() && d.from.is_empty();
+                need!(constant, RULE, "recursion without an argument");
+                (Vars::new(), Poly::default(), Poly::default())
+            }
             Some((last, parameters)) => {
-                start = self.poly(&d.from, &Vars::new(), false)?;
-                if !self.signature.is_integer(&start, &Vars::new()) {
-                    return fault(RULE, "`from` is no integer");
-                }
-                let bound = Poly::var(&last.0) - &start;
-                given.insert("from".into(), Literal { poly: bound, relation: NonNegative });
-                let terms: Vec<Poly> = parameters.iter().map(|(p, _)| Poly::var(p)).collect();
-                let name = name.clone();
-                value = Box::new(move |at| {
-                    Poly::app(&name, &[&terms[..], std::slice::from_ref(at)].concat())
-                });
-                (parameters.to_vec(), Some(last.0.clone()))
+                let start = self.poly(&d.from, &Vars::new(), false)?;
+                let whole = self.signature.is_integer(&start, &Vars::new());
+                need!(whole, RULE, "`from` is no integer");
+                (parameters.to_vec(), start, Poly::var(&last.0))
             }
         };
+        let value = |at: &Poly, j: usize| {
+            let mut terms: Vec<Poly> = parameters.iter().map(|(p, _)| Poly::var(p)).collect();
+            terms.extend(d.of.last().map(|_| at.clone() + &Poly::from_index(j)));
+            Poly::app(&name, &terms)
+        };
+        let from = Literal { poly: here.clone() - &start, relation: NonNegative };
+        let given: Facts = d.of.last().map(|_| ("from".into(), from)).into_iter().collect();
         let (by, sum) = d.scale.as_ref().map_or(("1", "1"), |s| (&s.by, &s.sum));
         let scale = self.poly(by, &vars, false)?;
-        let goal = Literal { poly: scale.clone(), relation: Positive };
-        self.sum(&goal, &[], sum, &given, &vars)?;
-        let mut bases = Vec::new();
-        for (j, base) in (0..).zip(&d.base) {
-            let at = value(&(start.clone() + &Poly::whole(j)));
-            bases
-                .push(Literal { poly: at - &self.poly(base, &parameters, false)?, relation: Zero });
+        let positive = Literal { poly: scale.clone(), relation: Positive };
+        self.sum(&positive, &[], sum, &given, &vars)?;
+        let mut clauses = Vec::new();
+        for (j, base) in d.base.iter().enumerate() {
+            let poly = value(&start, j) - &self.poly(base, &parameters, false)?;
+            let goal = Literal { poly, relation: Zero };
+            let clause = Clause { vars: parameters.clone(), given: Facts::new(), goal };
+            clauses.push((format!("{name}.{j}"), clause));
         }
         self.signature.functions.insert(name.clone(), (vars.len(), Sort::Real));
         let step = self.poly(&d.step, &vars, false)?;
-        let here = last.map_or_else(Poly::default, |v| Poly::var(&v));
-        let values: BTreeSet<Poly> =
-            (0..).take(d.base.len()).map(|j| value(&(here.clone() + &Poly::whole(j)))).collect();
-        let known = |a: &Atom| values.contains(&Poly::atom(a.clone()));
-        let other = step.substitute(&|a| known(a).then(Poly::default));
-        if other.any(&|a| matches!(a, Atom::App(f, _) if *f == name)) {
-            return fault(RULE, format!("`step` reads `{name}` at other arguments"));
+        let known: BTreeSet<Poly> = (0..d.base.len()).map(|j| value(&here, j)).collect();
+        let other = |a: &Atom| {
+            matches!(a, Atom::App(f, _) if *f == name) && !known.contains(&Poly::atom(a.clone()))
+        };
+        need!(!step.any(&other), RULE, "`step` reads `{name}` at other arguments");
+        let poly = scale * &value(&here, d.base.len()) - &step;
+        let goal = Literal { poly, relation: Zero };
+        clauses.push((format!("{name}.step"), Clause { vars: vars.clone(), given, goal }));
+        let words = joined(clauses.iter().map(|(_, clause)| clause), " and ");
+        for (name, clause) in clauses {
+            self.add(&name, clause)?;
         }
-        let next = value(&(here + &Poly::from_index(d.base.len())));
-        let goal = Literal { poly: scale * &next - &step, relation: Zero };
-        let mut words = Vec::new();
-        for (j, goal) in bases.into_iter().enumerate() {
-            let clause = Clause { vars: parameters.clone(), given: Facts::new(), goal };
-            words.push(clause.to_string());
-            self.add(&format!("{name}.{j}"), clause)?;
-        }
-        let clause = Clause { vars, given, goal };
-        words.push(clause.to_string());
-        self.add(&format!("{name}.step"), clause)?;
-        Ok(words.join(" and "))
+        Ok(words)
     }
 
     /// Checks the proof of a clause.
@@ -239,9 +231,7 @@ impl Kernel {
     }
 
     fn prove(&self, clause: &Clause, proof: &Proof, context: &Context) -> Result<()> {
-        if !charge(128 * clause.size()) {
-            return fault("work", "more than a file is allowed");
-        }
+        need!(charge(128 * clause.size()), "work", "more than a file is allowed");
         match proof {
             Proof::Positivity(p) => self.positivity(clause, p, context),
             Proof::Absurd(p) => {
@@ -259,35 +249,28 @@ impl Kernel {
     fn positivity(&self, clause: &Clause, p: &Positivity, context: &Context) -> Result<()> {
         let mut facts = clause.given.clone();
         for instance in &p.instances {
-            let rule = "instance";
+            const RULE: &str = "instance";
             let lemma = context.hypotheses.get(&*instance.lemma);
             let Some(lemma) = lemma.or_else(|| self.lemmas.get(&*instance.lemma)) else {
-                return fault(rule, format!("no lemma `{:.40}`", instance.lemma));
+                return fault(RULE, format!("no lemma `{:.40}`", instance.lemma));
             };
             let mut terms = BTreeMap::new();
             for (name, sort) in &lemma.vars {
                 let term = self.poly(field(&instance.with, name)?, &clause.vars, false)?;
-                if *sort == Sort::Integer && !self.signature.is_integer(&term, &clause.vars) {
-                    return fault(rule, format!("`{name}` stands for integers"));
-                }
+                let fits = *sort == Sort::Real || self.signature.is_integer(&term, &clause.vars);
+                need!(fits, RULE, "`{name}` stands for integers");
                 terms.insert(name.clone(), term);
             }
-            if instance.with.0.len() > lemma.vars.len()
-                || instance.given.0.len() > lemma.given.len()
-            {
-                return fault(
-                    rule,
-                    format!("`{:.40}` has fewer variables or literals", instance.lemma),
-                );
-            }
+            let fits = instance.with.0.len() == lemma.vars.len()
+                && instance.given.0.len() <= lemma.given.len();
+            need!(fits, RULE, "`{:.40}` has fewer variables or literals", instance.lemma);
             let lemma = lemma.with(&|v| terms.get(v).cloned());
             for (name, literal) in &lemma.given {
                 let sum = field(&instance.given, name)?;
                 self.sum(literal, &[], sum, &facts, &clause.vars)?;
             }
-            if self.closed.contains_key(&*instance.name) {
-                return fault("name", format!("the fact `{:.40}` is there twice", instance.name));
-            }
+            let taken = self.closed.contains_key(&*instance.name);
+            need!(!taken, "name", "the fact `{:.40}` is there twice", instance.name);
             insert(&mut facts, &instance.name, lemma.goal)?;
         }
         self.sum(&clause.goal, &p.times, &p.sum, &facts, &clause.vars)
@@ -330,21 +313,16 @@ impl Kernel {
                     (Some(Positive), p) => p,
                 };
             }
-            if product != Zero {
-                if goal.relation == Zero {
-                    return fault(
-                        RULE,
-                        "a product without a zero fact, the goal being an equation",
-                    );
-                } else if !facts_only || !c.is_positive() {
-                    return fault(RULE, "a product that may be below 0");
-                }
-                strict |= product == Positive;
+            if product == Zero {
+                continue;
             }
+            let alone = goal.relation != Zero;
+            need!(alone, RULE, "a product without a zero fact, the goal being an equation");
+            need!(facts_only && c.is_positive(), RULE, "a product that may be below 0");
+            strict |= product == Positive;
         }
-        if goal.relation == Positive && !strict {
-            return fault(RULE, "no product that is above 0, as the goal has to be");
-        }
+        let enough = goal.relation != Positive || strict;
+        need!(enough, RULE, "no product that is above 0, as the goal has to be");
         let right = sum.substitute(&|a| match a {
             Atom::Fact(name) => fact(name).map(|l| l.poly.clone()),
             _ => None,
@@ -353,10 +331,7 @@ impl Kernel {
         match rest.terms().next() {
             _ if exhausted() => fault("work", "more than a file is allowed"),
             None => Ok(()),
-            Some((m, _)) => {
-                let m: Vec<String> = m.iter().map(ToString::to_string).collect();
-                fault(RULE, format!("the sides differ at `{:.60}`", m.join("*")))
-            }
+            Some((m, _)) => fault(RULE, format!("the sides differ at `{:.60}`", joined(m, "*"))),
         }
     }
 
@@ -417,14 +392,11 @@ impl Kernel {
         const RULE: &str = "induction";
         let general = |v: &Rc<str>| !context.fixed.contains(v);
         let [Some(bound), _] = self.bounds(clause, &i.on, &i.variable, context) else {
-            return fault(
-                RULE,
-                format!("`{:.40}` does not bound `{:.40}` below", i.on, i.variable),
-            );
+            let words = format!("`{:.40}` does not bound `{:.40}` below", i.on, i.variable);
+            return fault(RULE, words);
         };
-        if clause.vars.iter().any(|(v, _)| general(v) && bound.has(v)) {
-            return fault(RULE, "the bound differs with the variables");
-        }
+        let differs = clause.vars.iter().any(|(v, _)| general(v) && bound.has(v));
+        need!(!differs, RULE, "the bound differs with the variables");
         let earlier = self.fresh(&i.earlier, &clause.vars)?;
         let at = |p: Poly| move |v: &str| (*v == *i.variable).then(|| p.clone());
         let (variable, one) = (Poly::var(&i.variable), Poly::whole(1));
@@ -439,10 +411,9 @@ impl Kernel {
         insert(&mut hypothesis.given, &earlier, no_later)?;
         let mut inner = context.clone();
         inner.fixed.insert(i.variable.as_str().into());
-        let taken = inner.hypotheses.insert(i.hypothesis.as_str().into(), hypothesis).is_some();
-        if taken || self.lemmas.contains_key(&*i.hypothesis) {
-            return fault(RULE, format!("`{:.40}` is there twice", i.hypothesis));
-        }
+        let taken = inner.hypotheses.insert(i.hypothesis.as_str().into(), hypothesis).is_some()
+            || self.lemmas.contains_key(&*i.hypothesis);
+        need!(!taken, RULE, "`{:.40}` is there twice", i.hypothesis);
         self.prove(&base, &i.base, context)?;
         self.prove(&step, &i.step, &inner)
     }
@@ -455,5 +426,6 @@ fn field<'n>(all: &'n Named<String>, name: &str) -> Result<&'n str> {
 
 fn insert(facts: &mut Facts, name: &str, literal: Literal) -> Result<()> {
     let taken = facts.insert(name.into(), literal).is_some();
-    if taken { fault("name", format!("the fact `{name:.40}` is there twice")) } else { Ok(()) }
+    need!(!taken, "name", "the fact `{name:.40}` is there twice");
+    Ok(())
 }

@@ -6,20 +6,26 @@
 
 #![forbid(unsafe_code)]
 
-pub mod concrete;
 pub mod expr;
+pub mod fault;
 pub mod format;
+pub mod invariance;
 pub mod kernel;
 pub mod linear;
+pub mod matrix;
 pub mod number;
 pub mod poly;
+pub mod quadratic;
+pub mod refutation;
 pub mod system;
+pub mod vector;
 
 use std::fmt;
 
 use cordon_spec::coverage::exec_coverage;
+use fault::{Fault, fault};
 use format::{Kind, Theorem};
-use kernel::{Fault, Kernel, fault};
+use kernel::Kernel;
 use system::Step;
 
 /// What the checker says of a file.
@@ -95,13 +101,15 @@ pub fn check_of(text: &str, step: Step) -> Verdict {
         Ok(kind) => kind,
         Err(reason) => return Verdict::Unreadable { reason },
     };
+    let once = |claim| (claim, 1);
     let (clause, result) = match &kind {
         Kind::Theorem(t) => theorem(t, step),
-        Kind::Contraction(c) => ("contraction", concrete::contraction(c, step).map(|c| (c, 1))),
-        Kind::Growth(c) => ("growth", concrete::growth(c, step).map(|c| (c, 1))),
-        Kind::Refutation(c) => ("refutation", concrete::refutation(c).map(|c| (c, 1))),
-        Kind::Invariance(c) => ("invariance", linear::invariance(c)),
-        Kind::Quadratic(c) => ("quadratic", linear::quadratic(c)),
+        Kind::Contraction(c) => ("contraction", vector::contraction(c, step).map(once)),
+        Kind::Growth(c) => ("growth", vector::growth(c, step).map(once)),
+        Kind::Refutation(c) => ("refutation", refutation::refutation(c).map(once)),
+        Kind::Counterexample(c) => ("counterexample", refutation::counterexample(c).map(once)),
+        Kind::Invariance(c) => ("invariance", invariance::invariance(c)),
+        Kind::Quadratic(c) => ("quadratic", quadratic::quadratic(c)),
     };
     // Without work left numbers are not what they should be: neither is what was said of them.
     let result =

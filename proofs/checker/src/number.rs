@@ -62,7 +62,7 @@ impl Number {
             || !charge((text.len() as u64 / 64).pow(2))
         {
             return Err(format!(
-                "`{text:.40}`: expected a fraction of at most {MAX_NUMBER} characters"
+                "`{text:.40}`: expected an integer or a fraction like `-3/4`, of at most {MAX_NUMBER} characters"
             ));
         }
         let parse = |t: &str| t.parse::<BigInt>().map_err(|e| format!("`{text:.40}`: {e}"));

@@ -111,6 +111,16 @@ impl Poly {
         self.substitute(&|a| if let Atom::Var(v) = a { value(v) } else { None })
     }
 
+    /// Its value, if it is a constant.
+    pub fn value(&self) -> Option<Number> {
+        self.0.keys().all(Vec::is_empty).then(|| self.coefficient(&[]))
+    }
+
+    /// The terms with such coefficients.
+    pub fn part(&self, is: impl Fn(&Number) -> bool) -> Self {
+        Self(self.0.iter().filter(|(_, c)| is(c)).map(|(m, c)| (m.clone(), c.clone())).collect())
+    }
+
     /// The coefficient of a monomial.
     pub fn coefficient(&self, monomial: &[Atom]) -> Number {
         self.0.get(monomial).cloned().unwrap_or_else(|| Number::whole(0))

@@ -14,17 +14,16 @@ use cordon_spec::coverage::tick;
 use cordon_spec::delay::exec_coverage_delayed;
 use cordon_spec::graph::Path;
 use cordon_spec::local::{LocalParams, TickRatio, exchange, fmu_tick, project};
-use cordon_spec::placement::error_at;
 use cordon_spec::theorems::{Form, StartSet, Theorem, WeightRange};
 use cordon_spec::{Params, Scalar, State};
 
-use crate::expr::Relation::{self, NonNegative, Positive, Zero};
-use crate::expr::{Literal, Sort};
-use crate::format::{self, Family, System};
-use crate::kernel::{Clause, Fault, Kernel, fault};
+use crate::expr::Relation::{NonNegative, Zero};
+use crate::expr::{Literal, Sort, Vars};
+use crate::fault::{Result, fault, need};
+use crate::format::{Family, Range, System};
+use crate::kernel::{Clause, Facts, Kernel};
+use crate::number::Number;
 use crate::poly::{Atom, Poly};
-
-type Result<T> = std::result::Result<T, Fault>;
 
 /// Drones in a row of symbols: two on either side of the one looked at.
 const ROW: usize = 5;
@@ -52,13 +51,17 @@ fn var(name: &str) -> Poly {
     Poly::var(name)
 }
 
-/// The system as it is built: clauses, and those that make up its hypothesis.
+/// Literals given of what is said of the inner drones, and of their steps.
+const INSIDE: &str = "i: i - 1 >= 0; n: last - 1 - i >= 0";
+const INNER: &str = "k: k >= 0; i: i - 1 >= 0; n: last - 1 - i >= 0";
+
+/// The system as it is built.
 struct Builder<'k> {
     kernel: &'k mut Kernel,
     last: Poly,
     words: Vec<String>,
-    /// How the names of clauses begin that the words are made of.
-    told: &'static [&'static str],
+    /// Whether clauses that are added are said in words.
+    told: bool,
 }
 
 /// One step of the protocol with everybody updating.
@@ -70,30 +73,33 @@ pub type Step = fn(&Params<Poly>, &State<Vec<Poly>>) -> State<Vec<Poly>>;
 /// What is not known, or contradicts itself.
 pub fn install(system: &System, kernel: &mut Kernel, step: Step) -> Result<String> {
     let mut b = Builder::new(system.drones, kernel)?;
-    b.told = &["weight", "segment", "start", "minor"];
     b.constant("eps", Sort::Real);
     b.function("x", 2, Sort::Real);
     if system.protocol != "consensus" {
         b.constant("min", Sort::Real);
         b.constant("max", Sort::Real);
-        b.add("segment", &[], &[], var("max") - &var("min"), Positive)?;
+        b.say("segment", "", "", "max > min")?;
     }
-    b.weights(&system.weights)?;
+    b.within("weight", "eps", &system.weights.from, &system.weights.to)?;
+    if let Some(of) = &system.weights.of {
+        let (theorem, form) = named(&of.theorem, &of.form)?;
+        b.weights(theorem.hypothesis(form).weights)?;
+    }
+    if let Some(h) = &system.starts {
+        need!(system.protocol != "consensus", "system", "starts of coverage only");
+        let (theorem, form) = named(&h.theorem, &h.form)?;
+        b.starts(theorem.hypothesis(form).starts)?;
+    }
+    // What the spec does is not repeated in words.
+    b.told = false;
     match (system.protocol.as_str(), system.steps.as_str()) {
         ("coverage", steps) => b.coverage(steps, step)?,
-        ("consensus", "full") => b.consensus()?,
+        ("consensus", "full") => b.step("step", "x", &|row, at| {
+            let path = Path { count: ROW };
+            Ok(exec_consensus(&var("eps"), &path, &positions("x", row))[at].clone())
+        })?,
         ("projection", "full") => b.projection()?,
         _ => return fault("system", "expected `coverage`, `consensus` or `projection`"),
-    }
-    match &system.starts {
-        None => {}
-        Some(_) if system.protocol == "consensus" => {
-            return fault("system", "starts of coverage only");
-        }
-        Some(h) => {
-            let (theorem, form) = named(&h.theorem, &h.form)?;
-            b.starts(theorem.hypothesis(form).starts)?;
-        }
     }
     Ok(b.said(&format!("{} with {} steps", system.protocol, system.steps), system.drones))
 }
@@ -106,58 +112,47 @@ pub fn install(system: &System, kernel: &mut Kernel, step: Step) -> Result<Strin
 /// What is not known, or speaks of other agents.
 pub fn family(f: &Family, kernel: &mut Kernel) -> Result<String> {
     let mut b = Builder::new(f.drones, kernel)?;
-    b.told = &[""];
-    let none = Vec::new();
-    for (name, range) in &f.parameters.0 {
-        b.kernel.fresh(name, &none)?;
+    for (name, Range { from, to }) in &f.parameters.0 {
+        b.kernel.fresh(name, &Vars::new())?;
         b.constant(name, Sort::Real);
-        if let Some(from) = &range.from {
-            let poly = var(name) - &Poly::constant(from.clone());
-            b.add(&format!("{name}.from"), &[], &[], poly, NonNegative)?;
-        }
-        if let Some(to) = &range.to {
-            let poly = Poly::constant(to.clone()) - &var(name);
-            b.add(&format!("{name}.to"), &[], &[], poly, NonNegative)?;
-        }
+        b.within(name, name, from, to)?;
     }
     for name in &f.state {
-        b.kernel.fresh(name, &none)?;
+        b.kernel.fresh(name, &Vars::new())?;
         b.function(name, 2, Sort::Real);
     }
-    let ring = match f.topology.as_str() {
-        "line" => false,
-        "ring" => true,
+    let classes = match f.topology.as_str() {
+        "line" => CLASSES.map(|(class, _)| class),
+        "ring" => ["all"; 3],
         _ => return fault("system", "expected `line` or `ring`"),
     };
-    let classes: &[&str] = if ring { &["all"] } else { &["first", "inner", "last"] };
-    let named =
-        f.rules.0.len() == classes.len() && classes.iter().all(|c| f.rules.0.contains_key(*c));
-    if !named
-        || f.rules
-            .0
-            .values()
-            .flat_map(|r| r.0.keys())
-            .any(|v| !b.kernel.signature.functions.contains_key(&**v))
-    {
-        return fault("system", format!("expected rules for {}, of variables", classes.join(", ")));
-    }
-    let (k, i, last) = (var("k"), var("i"), b.last.clone());
+    let ring = f.topology == "ring";
+    let known = |class: &String| classes.contains(&class.as_str());
+    let complete = f.rules.0.len() == if ring { 1 } else { 3 } && f.rules.0.keys().all(known);
+    let functions = &b.kernel.signature.functions;
+    let variable = |v: &String| functions.contains_key(v.as_str());
+    let variables = f.rules.0.values().flat_map(|r| r.0.keys()).all(variable);
+    let classes_of = if ring { "all" } else { "first, inner, last" };
+    need!(complete && variables, "system", "expected rules for {classes_of}, of variables");
+    let (k, i, one, last) = (var("k"), var("i"), int(1), b.last.clone());
     let vars = ["k", "i"].map(|v| (v.into(), Sort::Integer)).to_vec();
-    for (class, at) in CLASSES {
-        let own = b.row(at)[at].clone();
-        // Where agent i, and where its neighbours are.
-        let before = if at > 0 { Some(own.clone() - &int(1)) } else { ring.then(|| last.clone()) };
-        let beyond = if at < ROW - 1 { Some(own.clone() + &int(1)) } else { ring.then(|| int(0)) };
-        let places = [
-            (i.clone() - &int(1), before),
-            (i.clone(), Some(own.clone())),
-            (i.clone() + &int(1), beyond),
-        ];
-        for name in &f.state {
-            let rules = f.rules.0.get(if ring { "all" } else { class });
-            let kept = format!("{name}(k,i)");
-            let text = rules.and_then(|r| r.0.get(name)).unwrap_or(&kept);
-            let rule = b.kernel.poly(text, &vars, false)?;
+    for name in &f.state {
+        let kept = format!("{name}(k,i)");
+        let read = |class| {
+            let text = f.rules.0.get(class).and_then(|r| r.0.get(name)).unwrap_or(&kept);
+            Ok((text, b.kernel.poly(text, &vars, false)?))
+        };
+        let rules = classes.into_iter().map(read).collect::<Result<Vec<_>>>()?;
+        b.step(&format!("step.{name}"), name, &|row, at| {
+            let own = &row[at];
+            // Where agent i, and where its neighbours are.
+            let before = if at > 0 { Some(own.clone() - &one) } else { ring.then(|| last.clone()) };
+            let beyond = if at < ROW - 1 { Some(own.clone() + &one) } else { ring.then(|| int(0)) };
+            let places = [
+                (i.clone() - &one, before),
+                (i.clone(), Some(own.clone())),
+                (i.clone() + &one, beyond),
+            ];
             let place = |a: &Atom| match a {
                 Atom::App(f, terms) if terms[0] == k => {
                     let found = places.iter().find(|(written, _)| *written == terms[1])?;
@@ -165,14 +160,12 @@ pub fn family(f: &Family, kernel: &mut Kernel) -> Result<String> {
                 }
                 _ => None,
             };
-            if rule.any(&|a| matches!(a, Atom::App(..)) && place(a).is_none()) {
-                return fault("system", format!("`{text:.60}` speaks of other agents or steps"));
-            }
+            let (text, rule) = &rules[at / 2];
+            let strange = rule.any(&|a| matches!(a, Atom::App(..)) && place(a).is_none());
+            need!(!strange, "system", "`{text:.60}` speaks of other agents or steps");
             let own_index = |a: &Atom| (*a == Atom::Var("i".into())).then(|| own.clone());
-            let next = rule.substitute(&|a| place(a).or_else(|| own_index(a)));
-            let now = Poly::app(name, &[k.clone() + &int(1), own.clone()]);
-            b.of_class(&format!("step.{name}"), class, now - &next)?;
-        }
+            Ok(rule.substitute(&|a| place(a).or_else(|| own_index(a))))
+        })?;
     }
     Ok(b.said(&format!("agents on a {}", f.topology), f.drones))
 }
@@ -186,12 +179,13 @@ impl<'k> Builder<'k> {
             Some(n) => return fault("system", format!("{n} drones: expected 3 or more")),
         };
         kernel.signature.last = Some(last.clone());
-        let mut b = Self { kernel, last, words: Vec::new(), told: &[] };
+        let mut b = Self { kernel, last, words: Vec::new(), told: false };
         if drones.is_none() {
             b.constant("last", Sort::Integer);
         }
-        b.add("n", &[], &[], b.last.clone() - &int(2), NonNegative)?;
-        b.add("last", &[], &[], b.last.clone(), Positive)?;
+        b.say("n", "", "", "last - 2 >= 0")?;
+        b.say("last", "", "", "last > 0")?;
+        b.told = true;
         Ok(b)
     }
 
@@ -213,75 +207,74 @@ impl<'k> Builder<'k> {
         self.kernel.signature.functions.insert(name.into(), (arity, sort));
     }
 
-    /// Adds a clause over integers, its literals given all >= 0.
-    fn add(
-        &mut self,
-        name: &str,
-        vars: &[&str],
-        given: &[(&str, Poly)],
-        poly: Poly,
-        relation: Relation,
-    ) -> Result<()> {
-        let given = given
-            .iter()
-            .map(|(n, p)| ((*n).into(), Literal { poly: p.clone(), relation: NonNegative }));
-        let vars = vars.iter().map(|v| ((*v).into(), Sort::Integer)).collect();
-        let clause = Clause { vars, given: given.collect(), goal: Literal { poly, relation } };
-        if self.told.iter().any(|beginning| name.starts_with(beginning)) {
+    fn add(&mut self, name: &str, clause: Clause) -> Result<()> {
+        if self.told && !clause.says_nothing() {
             self.words.push(clause.to_string());
         }
         self.kernel.add(name, clause)
     }
 
+    /// Integer variables, and literals given about them: `name: literal; ...`.
+    fn given(&self, vars: &str, given: &str) -> Result<(Vars, Facts)> {
+        let vars: Vars = vars.split_whitespace().map(|v| (v.into(), Sort::Integer)).collect();
+        let mut facts = Facts::new();
+        for (name, holds) in given.split("; ").filter_map(|g| g.split_once(": ")) {
+            facts.insert(name.into(), self.kernel.literal(holds, &vars)?);
+        }
+        Ok((vars, facts))
+    }
+
+    /// Adds a clause over integers.
+    fn say(&mut self, name: &str, vars: &str, given: &str, goal: &str) -> Result<()> {
+        let (vars, given) = self.given(vars, given)?;
+        let goal = self.kernel.literal(goal, &vars)?;
+        self.add(name, Clause { vars, given, goal })
+    }
+
+    /// Adds that a constant is in a range.
+    fn within(
+        &mut self,
+        of: &str,
+        name: &str,
+        from: &Option<Number>,
+        to: &Option<Number>,
+    ) -> Result<()> {
+        let at = |n: &Number| Poly::constant(n.clone());
+        let low = from.as_ref().map(|n| ("from", var(name) - &at(n)));
+        let high = to.as_ref().map(|n| ("to", at(n) - &var(name)));
+        for (end, poly) in low.into_iter().chain(high) {
+            let goal = Literal { poly, relation: NonNegative };
+            self.add(&format!("{of}.{end}"), Clause::fact(goal))?;
+        }
+        Ok(())
+    }
+
     /// The range of weights in literals; that below the critical weight by the leading minors of the spec's
     /// `below_critical`: minor(i) is the one of i - 1 rows.
-    fn weights(&mut self, weights: &format::Weights) -> Result<()> {
-        let eps = || var("eps");
-        let below = |n: i32| int(1) - &(int(n) * &eps());
-        if let Some(from) = &weights.from {
-            self.add("weight.from", &[], &[], eps() - &Poly::constant(from.clone()), NonNegative)?;
-        }
-        if let Some(to) = &weights.to {
-            self.add("weight.to", &[], &[], Poly::constant(to.clone()) - &eps(), NonNegative)?;
-        }
-        let Some(of) = &weights.of else { return Ok(()) };
-        let (theorem, form) = named(&of.theorem, &of.form)?;
-        let (low, high) = match theorem.hypothesis(form).weights {
-            WeightRange::Any => (None, None),
-            WeightRange::Unit | WeightRange::UpToHalfOrOne => {
-                (Some(NonNegative), Some((1, NonNegative)))
-            }
-            WeightRange::BelowThird => (Some(NonNegative), Some((3, Positive))),
-            WeightRange::BelowHalf => (Some(NonNegative), Some((2, Positive))),
-            WeightRange::UpToHalf => (Some(NonNegative), Some((2, NonNegative))),
-            WeightRange::PositiveUpToHalf => (Some(Positive), Some((2, NonNegative))),
-            WeightRange::BelowCritical => (Some(Positive), None),
-        };
-        if let Some(relation) = low {
-            self.add("weight.low", &[], &[], eps(), relation)?;
-        }
-        if let Some((n, relation)) = high {
-            self.add("weight.high", &[], &[], below(n), relation)?;
-        }
-        match theorem.hypothesis(form).weights {
-            WeightRange::UpToHalfOrOne => {
-                let four = [("four", self.last.clone() - &int(3))];
-                self.add("weight.four", &[], &four, below(2), NonNegative)
-            }
+    fn weights(&mut self, range: WeightRange) -> Result<()> {
+        let (low, high) = match range {
+            WeightRange::Any => return Ok(()),
+            WeightRange::Unit | WeightRange::UpToHalfOrOne => ("eps >= 0", "1 >= eps"),
+            WeightRange::BelowThird => ("eps >= 0", "1 - 3*eps > 0"),
+            WeightRange::BelowHalf => ("eps >= 0", "1 - 2*eps > 0"),
+            WeightRange::UpToHalf => ("eps >= 0", "1 - 2*eps >= 0"),
+            WeightRange::PositiveUpToHalf => ("eps > 0", "1 - 2*eps >= 0"),
             WeightRange::BelowCritical => {
                 self.function("minor", 1, Sort::Real);
-                let minor = |o: i32| Poly::app("minor", &[var("i") + &int(o)]);
-                let at = |i: i32| Poly::app("minor", &[int(i)]);
-                let inside = |upto: i32| {
-                    [("i", var("i") - &int(1)), ("n", self.last.clone() - &var("i") - &int(upto))]
-                };
-                let (from, reach) = (inside(1), inside(0));
-                let step =
-                    minor(1) - &(int(2) * &below(1) * &minor(0)) + &(eps() * &eps() * &minor(-1));
-                self.add("minor.0", &[], &[], at(0), Zero)?;
-                self.add("minor.1", &[], &[], at(1) - &int(1), Zero)?;
-                self.add("minor.step", &["i"], &from, step, Zero)?;
-                self.add("minor.positive", &["i"], &reach, minor(0), Positive)
+                let next = "minor(i+1) = 2*(1 - eps)*minor(i) - eps*eps*minor(i-1)";
+                self.say("weight.low", "", "", "eps > 0")?;
+                self.say("minor.0", "", "", "minor(0) = 0")?;
+                self.say("minor.1", "", "", "minor(1) = 1")?;
+                self.say("minor.step", "i", INSIDE, next)?;
+                let upto = "i: i - 1 >= 0; n: last - i >= 0";
+                return self.say("minor.positive", "i", upto, "minor(i) > 0");
+            }
+        };
+        self.say("weight.low", "", "", low)?;
+        self.say("weight.high", "", "", high)?;
+        match range {
+            WeightRange::UpToHalfOrOne => {
+                self.say("weight.four", "", "four: last - 3 >= 0", "1 - 2*eps >= 0")
             }
             _ => Ok(()),
         }
@@ -289,26 +282,21 @@ impl<'k> Builder<'k> {
 
     /// The start set in literals.
     fn starts(&mut self, set: StartSet) -> Result<()> {
-        let (i, last) = (var("i"), self.last.clone());
-        let x = |i: &Poly| Poly::app("x", &[int(0), i.clone()]);
-        let upto = |o: i32| ("n", last.clone() - &i - &int(o));
-        self.add("start.first", &[], &[], x(&int(0)) - &var("min"), Zero)?;
-        self.add("start.last", &[], &[], x(&last) - &var("max"), Zero)?;
+        self.say("start.first", "", "", "x(0,0) = min")?;
+        self.say("start.last", "", "", "x(0,last) = max")?;
         if matches!(set, StartSet::Ordered | StartSet::FirstSubsegment) {
-            let gap = x(&(i.clone() + &int(1))) - &x(&i);
-            self.add("start.order", &["i"], &[("i", i.clone()), upto(1)], gap, Positive)?;
+            let pairs = "i: i >= 0; n: last - i - 1 >= 0";
+            self.say("start.order", "i", pairs, "x(0,i+1) - x(0,i) > 0")?;
         }
         match set {
             StartSet::Any | StartSet::Ordered => Ok(()),
             StartSet::FirstSubsegment => {
-                // X_i < min + l, N-1 times: the error of drone 1 at that position.
-                let room = error_at(&var("min"), &var("max"), &last, &int(1), &x(&i));
-                let inner = [("i", i.clone() - &int(1)), upto(1)];
-                self.add("start.segment", &["i"], &inner, room, Positive)
+                let room = "last*min + (max - min) - last*x(0,i) > 0";
+                self.say("start.segment", "i", INSIDE, room)
             }
             StartSet::UpperBounded => {
-                let error = error_at(&var("min"), &var("max"), &last, &i, &x(&i));
-                self.add("start.bound", &["i"], &[("i", i.clone()), upto(0)], error, NonNegative)
+                let error = "last*min + i*(max - min) - last*x(0,i) >= 0";
+                self.say("start.bound", "i", "i: i >= 0; n: last - i >= 0", error)
             }
         }
     }
@@ -323,84 +311,63 @@ impl<'k> Builder<'k> {
         (0..ROW).map(|j| base.clone() + &Poly::from_index(j)).collect()
     }
 
-    /// Adds, for each class, `now` = the polynomial that `next` gives of the row of indices and the place in it.
+    /// Adds, for each class and every step k, what f is at step k+1: the polynomial that `next` gives of the
+    /// row of indices and the place in it.
     fn step(
         &mut self,
         of: &str,
-        now: &dyn Fn(&Poly) -> Poly,
+        f: &str,
         next: &dyn Fn(&[Poly], usize) -> Result<Poly>,
     ) -> Result<()> {
         for (class, at) in CLASSES {
             let row = self.row(at);
-            let poly = now(&row[at]) - &next(&row, at)?;
-            self.of_class(of, class, poly)?;
+            let now = Poly::app(f, &[var("k") + &int(1), row[at].clone()]);
+            let goal = Literal { poly: now - &next(&row, at)?, relation: Zero };
+            let (vars, given) = if at == 2 { ("k i", INNER) } else { ("k", "k: k >= 0") };
+            let (vars, given) = self.given(vars, given)?;
+            self.add(&format!("{of}.{class}"), Clause { vars, given, goal })?;
         }
         Ok(())
     }
 
-    /// Adds that a polynomial is 0 for every step k and every drone i of a class.
-    fn of_class(&mut self, of: &str, class: &str, poly: Poly) -> Result<()> {
-        let k = ("k", var("k"));
-        let (low, high) = (var("i") - &int(1), self.last.clone() - &var("i") - &int(1));
-        let name = format!("{of}.{class}");
-        match class {
-            "inner" => self.add(&name, &["k", "i"], &[k, ("i", low), ("n", high)], poly, Zero),
-            _ => self.add(&name, &["k"], &[k], poly, Zero),
-        }
-    }
-
     fn coverage(&mut self, steps: &str, step: Step) -> Result<()> {
-        let params = || Params { min: var("min"), max: var("max"), eps: var("eps"), n: 0 };
-        let (k, pair) = (var("k"), ["k", "i"]);
+        let params = Params { min: var("min"), max: var("max"), eps: var("eps"), n: 0 };
         let state = |row: &[Poly]| State { drones: positions("x", row), timesteps: 0 };
-        let after = |i: &Poly| Poly::app("x", &[var("k") + &int(1), i.clone()]);
         match steps {
-            "full" => self.step("step", &after, &|row, at| {
-                Ok(step(&params(), &state(row)).drones[at].clone())
-            }),
+            "full" => {
+                self.step("step", "x", &|row, at| Ok(step(&params, &state(row)).drones[at].clone()))
+            }
             "activation" => {
                 // active(k,i) = 1 where drone i updates in step k, 0 where it does not.
                 self.function("active", 2, Sort::Integer);
-                let active = |i: &Poly| Poly::app("active", &[var("k"), i.clone()]);
-                self.add("active.low", &pair, &[], active(&var("i")), NonNegative)?;
-                self.add("active.high", &pair, &[], int(1) - &active(&var("i")), NonNegative)?;
-                self.step("step", &after, &|row, at| {
-                    let with = |yes: bool| {
-                        exec_coverage_active(&params(), &state(row), |j| yes || j != at).drones[at]
+                self.say("active.low", "k i", "", "active(k,i) >= 0")?;
+                self.say("active.high", "k i", "", "1 - active(k,i) >= 0")?;
+                self.step("step", "x", &|row, at| {
+                    let next = |yes: bool| {
+                        exec_coverage_active(&params, &state(row), |j| yes || j != at).drones[at]
                             .clone()
                     };
-                    let share = active(&row[at]);
-                    Ok(share.clone() * &with(true) + &((int(1) - &share) * &with(false)))
+                    let share = Poly::app("active", &[var("k"), row[at].clone()]);
+                    Ok(mixed(&share, [next(true), next(false)]))
                 })
             }
             "delay" => {
                 // Drone i sees drone j in step k where it was at step seen(k,i,j).
                 self.function("seen", 3, Sort::Integer);
-                let seen =
-                    |i: &Poly, j: &Poly| Poly::app("seen", &[var("k"), i.clone(), j.clone()]);
-                let given = [("k", k.clone())];
-                let some = seen(&var("i"), &var("j"));
-                self.add("seen.low", &["k", "i", "j"], &given, some.clone(), NonNegative)?;
-                self.add("seen.high", &["k", "i", "j"], &given, k - &some, NonNegative)?;
-                self.step("step", &after, &|row, at| {
-                    let late: Vec<Poly> = row
-                        .iter()
-                        .map(|j| Poly::app("x", &[seen(&row[at], j), j.clone()]))
-                        .collect();
-                    Ok(exec_coverage_delayed(&params(), &state(row), |_, j| &late[j]).drones[at]
+                self.say("seen.low", "k i j", "k: k >= 0", "seen(k,i,j) >= 0")?;
+                self.say("seen.high", "k i j", "k: k >= 0", "k - seen(k,i,j) >= 0")?;
+                self.step("step", "x", &|row, at| {
+                    let seen = |j: &Poly| {
+                        let when = Poly::app("seen", &[var("k"), row[at].clone(), j.clone()]);
+                        Poly::app("x", &[when, j.clone()])
+                    };
+                    let late: Vec<Poly> = row.iter().map(seen).collect();
+                    Ok(exec_coverage_delayed(&params, &state(row), |_, j| &late[j]).drones[at]
                         .clone())
                 })
             }
             _ => fault("system", "expected `full`, `activation` or `delay`"),
         }
-    }
-
-    fn consensus(&mut self) -> Result<()> {
-        let after = |i: &Poly| Poly::app("x", &[var("k") + &int(1), i.clone()]);
-        self.step("step", &after, &|row, at| {
-            let path = Path { count: ROW };
-            Ok(exec_consensus(&var("eps"), &path, &positions("x", row))[at].clone())
-        })
     }
 
     /// Local machines (own, prec, foll) that start as projections of the global state x, both run
@@ -417,8 +384,6 @@ impl<'k> Builder<'k> {
         let p = Params { min: var("min"), max: var("max"), eps: var("eps"), n };
         let local = LocalParams { protocol: p.clone(), count: ROW, ratio };
         let global = |row: &[Poly], timesteps| State { drones: positions("x", row), timesteps };
-        let after =
-            |f: &'static str| move |i: &Poly| Poly::app(f, &[var("k") + &int(1), i.clone()]);
         // Machines with these fields, seen from a row.
         let machines = |row: &[Poly], timesteps, fields: [&dyn Fn(&Poly) -> Poly; 3]| {
             let mut all: Vec<_> =
@@ -428,39 +393,39 @@ impl<'k> Builder<'k> {
             }
             all
         };
-        let now = |f: &'static str| move |i: &Poly| Poly::app(f, &[var("k"), i.clone()]);
-        let (own, prec, foll) = (now("own"), now("prec"), now("foll"));
+        let field =
+            |f: &'static str, k: Poly| move |i: &Poly| Poly::app(f, &[k.clone(), i.clone()]);
+        let [own, prec, foll] = ["own", "prec", "foll"].map(|f| field(f, var("k")));
         // In ticks that move, and in those that wait.
-        let ticks = |[moving, waiting]: [Poly; 2]| {
-            let share = Poly::app("moves", &[var("k")]);
-            share.clone() * &moving + &((int(1) - &share) * &waiting)
-        };
-        self.step("step", &after("x"), &|row, at| {
-            Ok(ticks([n, n - 1].map(|t| tick(&p, global(row, t)).drones[at].clone())))
+        let share = Poly::app("moves", &[var("k")]);
+        self.step("step", "x", &|row, at| {
+            Ok(mixed(&share, [n, n - 1].map(|t| tick(&p, global(row, t)).drones[at].clone())))
         })?;
-        self.step("own", &after("own"), &|row, at| {
+        self.step("own", "own", &|row, at| {
             let moved = [n, n - 1]
                 .map(|t| fmu_tick(&local, machines(row, t, [&own, &prec, &foll])[at].clone()));
             let counted = [n, n - 1].map(|t| tick(&p, global(row, t)).timesteps);
-            if moved.iter().zip(counted).any(|(m, c)| m.timesteps != c || m.st.id != at) {
-                return fault("system", "counters or identifiers differ");
-            }
-            Ok(ticks(moved.map(|m| m.st.own)))
+            let agree = moved.iter().zip(counted).all(|(m, c)| m.timesteps == c && m.st.id == at);
+            need!(agree, "system", "counters or identifiers differ");
+            Ok(mixed(&share, moved.map(|m| m.st.own)))
         })?;
+        let after = field("own", var("k") + &int(1));
         let exchanged = |row: &[Poly], at: usize| {
-            exchange(&machines(row, n, [&after("own"), &prec, &foll]))[at].st.clone()
+            exchange(&machines(row, n, [&after, &prec, &foll]))[at].st.clone()
         };
-        self.step("prec", &after("prec"), &|row, at| Ok(exchanged(row, at).prec))?;
-        self.step("foll", &after("foll"), &|row, at| Ok(exchanged(row, at).foll))?;
+        self.step("prec", "prec", &|row, at| Ok(exchanged(row, at).prec))?;
+        self.step("foll", "foll", &|row, at| Ok(exchanged(row, at).foll))?;
         let start = |p: &Poly| p.substitute(&|a| (*a == Atom::Var("k".into())).then(Poly::default));
         for (class, at) in CLASSES {
             let row = self.row(at);
             let st = project(&p, &global(&row, 0), at).st;
-            let i = [("i", var("i") - &int(1)), ("n", self.last.clone() - &var("i") - &int(1))];
-            let (vars, given): (&[&str], &[_]) = if at == 2 { (&["i"], &i) } else { (&[], &[]) };
+            let (vars, given) = if at == 2 { ("i", INSIDE) } else { ("", "") };
+            let (vars, given) = self.given(vars, given)?;
             for (f, field) in [("own", st.own), ("prec", st.prec), ("foll", st.foll)] {
-                let goal = Poly::app(f, &[int(0), row[at].clone()]) - &start(&field);
-                self.add(&format!("{f}.start.{class}"), vars, given, goal, Zero)?;
+                let poly = Poly::app(f, &[int(0), row[at].clone()]) - &start(&field);
+                let goal = Literal { poly, relation: Zero };
+                let clause = Clause { vars: vars.clone(), given: given.clone(), goal };
+                self.add(&format!("{f}.start.{class}"), clause)?;
             }
         }
         Ok(())
@@ -470,4 +435,9 @@ impl<'k> Builder<'k> {
 /// The values of a function at step k, drone by drone.
 fn positions(function: &str, row: &[Poly]) -> Vec<Poly> {
     row.iter().map(|i| Poly::app(function, &[var("k"), i.clone()])).collect()
+}
+
+/// The one with that share, else the other.
+fn mixed(share: &Poly, [one, other]: [Poly; 2]) -> Poly {
+    share.clone() * &one + &((int(1) - share) * &other)
 }

@@ -1,23 +1,23 @@
 //! The committed certificates are valid, and the permanent bad ones are rejected by the rule that
 //! their index states; mended in the one point that is wrong, each is accepted.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 
 use cordon_check::{Verdict, check};
+use cordon_spec::Scalar;
 use serde_json::{Value, json};
 
 /// How many certificates are committed, and how many clauses they prove.
-const CERTIFICATES: usize = 59;
-const PROVED: usize = 344;
+const CERTIFICATES: usize = 60;
+const PROVED: usize = 345;
 
 /// How many bad ones are.
-const MUST_NOT_PROVE: usize = 318;
+const MUST_NOT_PROVE: usize = 345;
 
 /// Where a file can be rejected (a split cannot fail by itself).
-const RULES: [&str; 14] = [
+const RULES: [&str; 15] = [
     "name",
     "expression",
     "definition",
@@ -30,6 +30,7 @@ const RULES: [&str; 14] = [
     "contraction",
     "growth",
     "refutation",
+    "counterexample",
     "invariance",
     "quadratic",
 ];
@@ -63,7 +64,15 @@ fn every_rule_and_kind_has_a_committed_certificate() {
     let texts: String =
         files("certificates").iter().map(|p| fs::read_to_string(p).unwrap()).collect();
     let words = ["positivity", "absurd", "cases", "induction", "definitions", "assumptions"];
-    let kinds = ["theorem", "contraction", "growth", "refutation", "invariance", "quadratic"];
+    let kinds = [
+        "theorem",
+        "contraction",
+        "growth",
+        "refutation",
+        "counterexample",
+        "invariance",
+        "quadratic",
+    ];
     for word in words.into_iter().chain(kinds) {
         assert!(texts.contains(&format!("\"{word}\": ")), "no certificate with {word}");
     }
@@ -111,24 +120,46 @@ fn mended(bad: &str, mend: &Value) -> String {
     }
 }
 
+/// Of a protocol whose step turns errors, |A| w >= w proves nothing.
 #[test]
 fn signs_that_allow_cancellation_are_noticed() {
-    use cordon_check::concrete::{Rows, one_sign};
-    use cordon_check::number::Number;
-    let rows = |entries: &[&[i64]]| -> Rows {
-        let row = |r: &&[i64]| {
-            let nonzero = r.iter().enumerate().filter(|(_, a)| **a != 0);
-            nonzero.map(|(j, &a)| (j, Number::whole(a))).collect()
+    use cordon_check::check_of;
+    use cordon_check::poly::Poly;
+    use cordon_check::system::Step;
+    // e_1' = a e_1 + b e_2, e_2' = c e_1 + d e_2 for N = 4, the targets being 1 and 2.
+    fn turned(x: &[Poly], [a, b, c, d]: [i64; 4]) -> Vec<Poly> {
+        let error = |i: usize| Poly::from_index(i) - &x[i];
+        let sum = |a: i64, b: i64| Poly::whole(a) * &error(1) + &(Poly::whole(b) * &error(2));
+        let inner = [sum(a, b), sum(c, d)];
+        vec![
+            x[0].clone(),
+            Poly::from_index(1) - &inner[0],
+            Poly::from_index(2) - &inner[1],
+            x[3].clone(),
+        ]
+    }
+    macro_rules! step {
+        ($($entry:expr),*) => {
+            |_, s| cordon_spec::State { drones: turned(&s.drones, [$($entry),*]), timesteps: 0 }
         };
-        entries.iter().map(row).collect()
-    };
-    let plain = |entries: &[&[i64]]| one_sign(&rows(entries), false);
-    let alternating = |entries: &[&[i64]]| one_sign(&rows(entries), true);
-    assert!(plain(&[&[1, 2], &[3, 4]]) && !alternating(&[&[1, 2], &[3, 4]]));
-    assert!(!plain(&[&[-1, 2], &[3, -4]]) && alternating(&[&[-1, 2], &[3, -4]]));
-    // A rotation: no sign pattern helps, and |A| w >= w would prove nothing.
-    assert!(!plain(&[&[0, 1], &[-1, 0]]) && !alternating(&[&[0, 1], &[-1, 0]]));
-    assert!(!plain(&[&[1, 1], &[1, -1]]) && !alternating(&[&[1, 1], &[1, -1]]));
+    }
+    let cases: [(Step, bool); 8] = [
+        (step![1, 2, 3, 4], true),
+        (step![-1, -2, -3, -4], true),
+        (step![-1, 2, 3, -4], true),
+        (step![1, -2, -3, 4], true),
+        (step![0, 1, -1, 0], false),
+        (step![0, -1, 1, 0], false),
+        (step![1, 1, 1, -1], false),
+        (step![1, 1, -1, 1], false),
+    ];
+    let page = json!({ "drones": 4, "eps": "1", "vector": ["1", "1"] });
+    let page = json!({ "schema": "cordon-certificate/2", "certificate": { "growth": page } });
+    for (case, (step, grows)) in cases.into_iter().enumerate() {
+        let verdict = check_of(&page.to_string(), step);
+        assert_eq!(verdict.code() == 0, grows, "{case}: {verdict}");
+        assert!(grows || verdict.to_string().contains("signs of A allow"), "{case}: {verdict}");
+    }
 }
 
 /// What a verdict says of runs follows from the edges, and no more.

@@ -1,6 +1,5 @@
 //! The second checker, in another language and written from FORMAT.md alone, gives the same verdicts,
 //! by the same rules, on every committed certificate, every bad one, and mutants of the former.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,7 +8,7 @@ use std::process::Command;
 use cordon_check::{Verdict, check};
 
 /// How many files are compared.
-const COMPARED: usize = 663;
+const COMPARED: usize = 694;
 
 fn files(folder: &Path) -> Vec<PathBuf> {
     let mut files: Vec<PathBuf> =

@@ -1,6 +1,5 @@
 //! Hostile files are refused, or judged within the work allowed a file: it is work that is counted
 //! here, and no time. Each file is the most expensive of its kind that was found.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use cordon_check::format::MAX_BYTES;
 use cordon_check::number::{MAX_WORK, done};

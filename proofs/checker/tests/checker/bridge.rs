@@ -1,6 +1,5 @@
 //! The clauses that the checker reads off the spec say what the spec does: of every drone of every
 //! swarm tried, of every start and of every weight tried.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::collections::BTreeMap;
 

@@ -1,5 +1,4 @@
 //! The program `cordon-check` from the command line.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use assert_cmd::Command;
 

@@ -1,6 +1,5 @@
 //! A theorem's statement says what the spec's own conclusion says: of every run tried, with every value of the
 //! statement's constants, the conclusions hold where the assumptions do just if the spec does not answer a violation.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,0 +1,31 @@
+//! Why something is not accepted.
+
+/// A rule that was broken.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// The rule.
+    pub rule: &'static str,
+    /// Why.
+    pub reason: String,
+}
+
+/// What is accepted, or why not.
+pub type Result<T> = std::result::Result<T, Fault>;
+
+/// A fault of that rule.
+///
+/// # Errors
+/// Always.
+pub fn fault<T>(rule: &'static str, reason: impl Into<String>) -> Result<T> {
+    Err(Fault { rule, reason: reason.into() })
+}
+
+/// Returns a fault of a rule, with formatted words, unless the condition holds.
+macro_rules! need {
+    ($holds:expr, $rule:expr, $($words:tt)+) => {
+        if !$holds {
+            return $crate::fault::fault($rule, format!($($words)+));
+        }
+    };
+}
+pub(crate) use need;

@@ -1,0 +1,87 @@
+//! Convergence and growth for one N and one weight, by a vector: an upper bound of all errors that falls, or
+//! a lower bound of some that does not.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use cordon_spec::{Params, Scalar, State};
+
+use crate::fault::{Result, fault, need};
+use crate::format::{Contraction, Growth};
+use crate::number::Number;
+use crate::poly::{Atom, Poly};
+use crate::system::Step;
+
+/// Most drones.
+const MAX_DRONES: usize = 10_000;
+
+/// Calls `row` with each row of |A| w and w there, A being the linear part of the spec's step on the inner drones'
+/// positions, hence of their errors: the targets are a fixed point, x' = A x + b with T = A T + b gives T - x' = A (T - x). That
+/// is checked here too. The vector w has an entry an inner drone, each above 0. Gives whether with s_i = 1 or with s_i = (-1)^i
+/// all s_i s_j a_ij have one sign.
+fn rows(
+    rule: &'static str,
+    (drones, eps, w): (u32, &Number, &[Number]),
+    step: Step,
+    row: impl Fn(usize, Number, &Number) -> Result<()>,
+) -> Result<bool> {
+    let count = drones as usize;
+    let few = (3..=MAX_DRONES).contains(&count);
+    need!(few, rule, "{drones} drones: expected 3 to {MAX_DRONES}");
+    need!(w.len() == count - 2, rule, "vector of {} entries: expected {}", w.len(), count - 2);
+    for (i, entry) in w.iter().enumerate() {
+        need!(entry.is_positive(), rule, "entry {i} of the vector is not above 0");
+    }
+    let last = Poly::from_index(count - 1);
+    let params =
+        Params { min: Poly::default(), max: last.clone(), eps: Poly::constant(eps.clone()), n: 0 };
+    let after = |drones: Vec<Poly>| step(&params, &State { drones, timesteps: 0 }).drones;
+    let targets: Vec<Poly> = (0..count).map(Poly::from_index).collect();
+    need!(after(targets.clone()) == targets, rule, "the targets are not a fixed point");
+    let name = |i: usize| Atom::App("x".into(), vec![Poly::from_index(i)]);
+    let mut symbols: Vec<Poly> = (0..count).map(|i| Poly::atom(name(i))).collect();
+    (symbols[0], symbols[count - 1]) = (Poly::default(), last);
+    let places: BTreeMap<Vec<Atom>, usize> = (1..count - 1).map(|j| (vec![name(j)], j)).collect();
+    let (mut plain, mut alternating) = (BTreeSet::new(), BTreeSet::new());
+    for (i, position) in after(symbols).iter().enumerate().take(count - 1).skip(1) {
+        let mut sum = Number::whole(0);
+        for (monomial, a) in position.terms().filter(|(monomial, _)| !monomial.is_empty()) {
+            let Some(j) = places.get(monomial) else {
+                return fault(rule, "the step is not linear in the drones");
+            };
+            sum = sum + &(a.magnitude() * &w[j - 1]);
+            plain.insert(a.is_positive());
+            alternating.insert(a.is_positive() == ((i + j) % 2 == 0));
+        }
+        row(i, sum, &w[i - 1])?;
+    }
+    Ok(plain.len() < 2 || alternating.len() < 2)
+}
+
+/// `contraction`: w > 0 and |A| w <= rate * w with 0 <= rate < 1. So max_i |e_i|/w_i falls by
+/// that rate in every step, from every start.
+pub fn contraction(c: &Contraction, step: Step) -> Result<String> {
+    const RULE: &str = "contraction";
+    rows(RULE, (c.drones, &c.eps, &c.vector), step, |i, sum, w| {
+        need!(sum <= c.rate.clone() * w, RULE, "drone {i}: |A| w exceeds rate * w");
+        Ok(())
+    })?;
+    let falls = (Number::whole(0)..Number::whole(1)).contains(&c.rate);
+    need!(falls, RULE, "the rate is not in [0, 1)");
+    Ok(format!(
+        "N = {}, eps = {}: from every start all drones converge to their targets",
+        c.drones, c.eps
+    ))
+}
+
+/// `growth`: w > 0 and |A| w >= w, and with s_i = 1 or s_i = (-1)^i no s_i s_j a_ij has another
+/// sign than the rest. So from errors s_i w_i no cancellation occurs and |e_i^k| >= w_i for every k.
+pub fn growth(c: &Growth, step: Step) -> Result<String> {
+    const RULE: &str = "growth";
+    let signs = rows(RULE, (c.drones, &c.eps, &c.vector), step, |i, sum, w| {
+        need!(sum >= *w, RULE, "drone {i}: |A| w is below w");
+        Ok(())
+    })?;
+    // True of every weight here; it would not be of another protocol.
+    need!(signs, RULE, "the signs of A allow cancellation");
+    Ok(format!("N = {}, eps = {}: from some start the drones do not converge", c.drones, c.eps))
+}

@@ -1,0 +1,10 @@
+//! The checker's tests: one binary, which is built once a change.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod bridge;
+mod certificates;
+mod cli;
+mod hostile;
+mod meaning;
+mod mutants;
+mod second;

@@ -29,14 +29,7 @@ pub struct Args {
 /// Lists the theorems, or the claims of a protocol file.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if let Some((file, system)) = args.own.system()? {
-        return own_protocol::theorems(
-            &args.own,
-            &file,
-            &system,
-            args.check,
-            args.format,
-            out,
-        );
+        return own_protocol::theorems(&args.own, &file, &system, args.check, args.format, out);
     }
     let theorems = theorems::named(args.numbers.as_deref().unwrap_or("all"))?;
     match args.format {

@@ -80,9 +80,8 @@ type Named = (String, Value);
 /// Finds the critical weight.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let own_system = args.own.system()?;
-    let unused = |flag: &str, needed: &str| {
-        Err(Error::input(format!("{flag}: expected {needed} with it")))
-    };
+    let unused =
+        |flag: &str, needed: &str| Err(Error::input(format!("{flag}: expected {needed} with it")));
     if let (Some(flag), true) =
         (args.flight.given(), own_system.is_some() || args.property() != Property::Separation)
     {
@@ -93,7 +92,10 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     }
     if args.property() == Property::Separation {
         if args.drones.is_some() {
-            return unused("drones", "a property other than separation, which is the same for all numbers,");
+            return unused(
+                "drones",
+                "a property other than separation, which is the same for all numbers,",
+            );
         }
         let folder = args.out.as_deref();
         return separation::run(&args.flight, args.digits, folder, args.format, out);

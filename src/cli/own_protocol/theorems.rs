@@ -165,7 +165,11 @@ fn known_text(
 ) -> Result<()> {
     match known {
         Known::EveryNumber => {
-            writeln!(out, "           {} for every number of agents from 3 on", Evidence::Certified)?;
+            writeln!(
+                out,
+                "           {} for every number of agents from 3 on",
+                Evidence::Certified
+            )?;
         }
         Known::Certified => writeln!(
             out,
@@ -185,7 +189,11 @@ fn known_text(
             writeln!(out, "           replay: {}", replay_line(args, system, run))?;
         }
         Known::CertifiedFailure => {
-            writeln!(out, "           fails ({}: `cordon prove` has the start)", Evidence::Certified)?;
+            writeln!(
+                out,
+                "           fails ({}: `cordon prove` has the start)",
+                Evidence::Certified
+            )?;
         }
         Known::Open(Some(steps)) => writeln!(
             out,

@@ -40,9 +40,10 @@ pub fn threshold(
         (None, [only]) => only,
         (None, []) => {
             let varies = |p: &&Parameter| p.kind == ParameterKind::Varying;
-            let varying = system.parameters.iter().find(varies).map_or_else(String::new, |p| {
-                format!(" (`{}` varies from step to step)", p.name)
-            });
+            let varying =
+                system.parameters.iter().find(varies).map_or_else(String::new, |p| {
+                    format!(" (`{}` varies from step to step)", p.name)
+                });
             return Err(Error::input(format!(
                 "parameter: no constant has a range{varying}: expected one in the file, or `--set NAME=LO..HI`"
             )));
@@ -66,24 +67,22 @@ pub fn threshold(
     }
     let (found, ends) = critical(system, place, property, digits)?;
     match format {
-        OutputFormat::Text => {
-            match &found {
-                Some(bracket) => bracketed(wanted, property, bracket, digits, out)?,
-                None => {
-                    let word = |k| match k {
-                        Known::Holds => "holds",
-                        Known::Fails => "fails",
-                        Known::Open => "is open",
-                    };
-                    writeln!(
-                        out,
-                        "  no bracket: it {} at the lower end of {wanted} and {} at the upper end",
-                        word(ends[0]),
-                        word(ends[1])
-                    )?;
-                }
+        OutputFormat::Text => match &found {
+            Some(bracket) => bracketed(wanted, property, bracket, digits, out)?,
+            None => {
+                let word = |k| match k {
+                    Known::Holds => "holds",
+                    Known::Fails => "fails",
+                    Known::Open => "is open",
+                };
+                writeln!(
+                    out,
+                    "  no bracket: it {} at the lower end of {wanted} and {} at the upper end",
+                    word(ends[0]),
+                    word(ends[1])
+                )?;
             }
-        }
+        },
         OutputFormat::Json => {
             let mut page = head(system);
             page.insert(

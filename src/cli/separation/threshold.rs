@@ -53,9 +53,8 @@ impl LoopArgs {
     }
 
     fn tuning(&self) -> Result<Tuning> {
-        let or = |given: &Option<String>, usual: &str| {
-            given.clone().unwrap_or_else(|| usual.to_owned())
-        };
+        let or =
+            |given: &Option<String>, usual: &str| given.clone().unwrap_or_else(|| usual.to_owned());
         let (integrator, master) = (or(&self.integrator, "euler"), or(&self.master, "jacobi"));
         let positive = |what: &str, text: String| {
             let x = parse(what, &text)?;

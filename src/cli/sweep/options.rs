@@ -33,7 +33,13 @@ pub(super) struct Options {
     #[arg(long, value_name = "Q", default_value_t = 6)]
     max_denominator: u32,
     /// Range of the weights, both ends included
-    #[arg(long, value_name = "LO..HI", default_value = "0..1", allow_hyphen_values = true, conflicts_with = "protocol")]
+    #[arg(
+        long,
+        value_name = "LO..HI",
+        default_value = "0..1",
+        allow_hyphen_values = true,
+        conflicts_with = "protocol"
+    )]
     eps_range: String,
     /// These weights instead, separated by commas: fractions or decimals
     #[arg(long, value_name = "LIST", conflicts_with_all = ["max_denominator", "eps_range", "protocol"], allow_hyphen_values = true)]

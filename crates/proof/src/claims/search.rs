@@ -416,7 +416,8 @@ impl<'s> Search<'s> {
         let mut tried = usize::MAX;
         for links in 0..=NEAR {
             let is_near = |j: &usize| {
-                (all && links == NEAR) || about.get(*j).is_some_and(|a| a.iter().all(|v| near.contains(v)))
+                (all && links == NEAR)
+                    || about.get(*j).is_some_and(|a| a.iter().all(|v| near.contains(v)))
             };
             let places: Vec<usize> = (0..given.len()).filter(is_near).collect();
             if places.len() != tried {

@@ -76,16 +76,19 @@ pub fn on_grid(
                         && !known
                         && states.iter().any(|x| !claim.predicate.holds(x))
                     {
-                        let failure = Failure { values: values.clone(), start: start.clone(), step };
+                        let failure =
+                            Failure { values: values.clone(), start: start.clone(), step };
                         tried.failures.insert(place, failure);
                     }
                 }
                 if step < steps {
                     let acting = match &system.schedule {
                         Schedule::Any => (0..maps.len()).collect(),
-                        Schedule::Cycle(list) => {
-                            list.get(step % list.len().max(1)).copied().into_iter().collect::<Vec<_>>()
-                        }
+                        Schedule::Cycle(list) => list
+                            .get(step % list.len().max(1))
+                            .copied()
+                            .into_iter()
+                            .collect::<Vec<_>>(),
                     };
                     let acting = acting.iter().filter_map(|&m| maps.get(m)).flatten();
                     states = acting.flat_map(|map| states.iter().map(|x| map.apply(x))).collect();

@@ -88,8 +88,7 @@ impl ProtocolFile {
         {
             return Err(format!("`rules.{}` is about single agents", key.get_ref()));
         }
-        let about =
-            |class| About { variables, parameters, class: Some(class), is_ring };
+        let about = |class| About { variables, parameters, class: Some(class), is_ring };
         let mut found = BTreeMap::new();
         for &class in classes {
             let named = |name: &str| rules.iter().find(|(key, _)| key.get_ref() == name);

@@ -66,6 +66,16 @@ pub fn greatest(
     variables: usize,
     work: &Work,
 ) -> Option<Rational> {
+    form.at(&extreme(form, constraints, variables, work)?)
+}
+
+/// A point at which the form has that value.
+pub fn extreme(
+    form: &Affine,
+    constraints: &[Constraint],
+    variables: usize,
+    work: &Work,
+) -> Option<Vec<Rational>> {
     // Columns: positive and negative part of every variable, the slacks.
     let signed = |coefficients: &[Rational]| -> Vec<Term> {
         let nonzero = coefficients.iter().enumerate().filter(|(_, a)| !a.is_zero());
@@ -86,10 +96,7 @@ pub fn greatest(
     let (_, coefficients) = form.parts()?;
     let columns = 2 * variables + constraints.len();
     match maximise_within(columns, &signed(coefficients), &equations, work)? {
-        Solution::Optimal(x) => {
-            let at: Vec<Rational> = (0..variables).map(|j| &x[j] - &x[variables + j]).collect();
-            form.at(&at)
-        }
+        Solution::Optimal(x) => Some((0..variables).map(|j| &x[j] - &x[variables + j]).collect()),
         _ => None,
     }
 }

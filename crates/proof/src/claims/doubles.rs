@@ -44,25 +44,40 @@ pub fn largest(a: &Matrix) -> f64 {
     a.iter().flatten().fold(0.0, |m, x| m.max(x.abs()))
 }
 
-/// Whether Cholesky's method goes through on `a - margin * 1`.
-pub fn is_definite(a: &Matrix, margin: f64) -> bool {
+/// A direction v in which `a - margin * 1`, symmetric, is not positive: of the first pivot of
+/// Cholesky's method that is not. `None` where it is positive definite.
+pub fn negative_direction(a: &Matrix, margin: f64) -> Option<Vec<f64>> {
     let n = a.len();
     let mut l = vec![vec![0.0; n]; n];
     for i in 0..n {
-        for j in 0..=i {
+        for j in 0..i {
             let sum: f64 = (0..j).map(|k| l[i][k] * l[j][k]).sum();
-            if i == j {
-                let pivot = a[i][i] - margin - sum;
-                if pivot.is_nan() || pivot <= 0.0 {
-                    return false;
-                }
-                l[i][i] = pivot.sqrt();
-            } else {
-                l[i][j] = (a[i][j] - sum) / l[j][j];
-            }
+            l[i][j] = (a[i][j] - sum) / l[j][j];
         }
+        let pivot = a[i][i] - margin - l[i].iter().map(|x| x * x).sum::<f64>();
+        if pivot.is_nan() || pivot <= 0.0 {
+            // The pivot is v'(a - margin * 1)v for the v whose last entry is 1 and whose image ends in zeros.
+            let mut v = vec![0.0; n];
+            v[i] = 1.0;
+            for k in (0..i).rev() {
+                let sum: f64 = (k + 1..=i).map(|q| l[q][k] * v[q]).sum();
+                v[k] = -sum / l[k][k];
+            }
+            return Some(v);
+        }
+        l[i][i] = pivot.sqrt();
     }
-    true
+    None
+}
+
+/// a v.
+pub fn image(a: &Matrix, v: &[f64]) -> Vec<f64> {
+    a.iter().map(|row| dot(row, v)).collect()
+}
+
+/// The sum of the products.
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
 /// An estimate of the spectral radius: the norm of a high power, by repeated squaring.

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use num_traits::{One, Zero};
 
 use cordon_core::Rational;
+use cordon_core::linear::affine::Affine;
 use cordon_core::scalar::{Monomial, Polynomial};
 use cordon_core::system::{Convergence, Mode, System};
 
@@ -65,15 +66,21 @@ impl Readouts {
         self.all.iter().map(text).collect()
     }
 
+    /// The readouts as forms of the state.
+    pub fn forms(&self) -> Vec<Affine> {
+        let form = |(j, reference): &(usize, Reference)| {
+            Affine::variable(*j)
+                - &match reference {
+                    Reference::Agent(r) => Affine::variable(*r),
+                    Reference::Target(t) => Affine::constant(t.clone()),
+                }
+        };
+        self.all.iter().map(form).collect()
+    }
+
     /// The values of the readouts in a state.
     pub fn at(&self, state: &[Rational]) -> Option<Vec<Rational>> {
-        let value = |(j, reference): &(usize, Reference)| {
-            Some(match reference {
-                Reference::Agent(r) => state.get(*j)? - state.get(*r)?,
-                Reference::Target(t) => state.get(*j)? - t,
-            })
-        };
-        self.all.iter().map(value).collect()
+        self.forms().iter().map(|form| form.at(state)).collect()
     }
 
     /// What a step makes of the readouts; `None` where it depends on more than them: the targets move,

@@ -6,7 +6,6 @@ use num_traits::{One, Signed, Zero};
 
 use super::bounds::greatest;
 use super::converge::Contraction;
-use super::readouts::Reference;
 use crate::settle::{Rounding, least_power_at_most};
 use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
@@ -22,39 +21,31 @@ pub fn settles(
     start: Option<&[Rational]>,
     within: &Rational,
 ) -> Option<u64> {
-    let measured = match start {
-        Some(state) => {
-            let y = by.readouts.at(state)?;
-            let terms = by
-                .form
-                .iter()
-                .zip(&y)
-                .flat_map(|(row, a)| row.iter().zip(&y).map(move |(p, b)| p * a * b));
-            terms.fold(Rational::zero(), |sum, t| sum + t)
-        }
+    let y = match start {
+        Some(state) => by.readouts.at(state)?,
         None => {
             // Each readout by itself: no start has them all at their greatest.
             let starts = system.start_constraints();
             let work = Work::limited(super::PROOF.work);
-            let bound = |(j, reference): &(usize, Reference)| {
-                let form = match reference {
-                    Reference::Target(t) => Affine::variable(*j) - &Affine::constant(t.clone()),
-                    Reference::Agent(r) => Affine::variable(*j) - &Affine::variable(*r),
-                };
+            let bound = |form: Affine| {
                 let negated = Affine::constant(Rational::zero()) - &form;
-                let variables = system.state.len();
-                let most = |form| greatest(form, &starts, variables, &work);
+                let most = |form| greatest(form, &starts, system.state.len(), &work);
                 Some(most(&form)?.max(most(&negated)?))
             };
-            let bounds = by.readouts.all.iter().map(bound).collect::<Option<Vec<_>>>()?;
-            let terms =
-                by.form.iter().zip(&bounds).flat_map(|(row, a)| {
-                    row.iter().zip(&bounds).map(move |(p, b)| p.abs() * a * b)
-                });
-            terms.fold(Rational::zero(), |sum, t| sum + t)
+            by.readouts.forms().into_iter().map(bound).collect::<Option<Vec<_>>>()?
         }
     };
-    let wanted = within * within * floor(&by.form)?;
+    let value = |form: &Vec<Vec<Rational>>| {
+        let terms = form.iter().zip(&y).flat_map(|(row, a)| {
+            let signed = move |p: &Rational| if start.is_some() { p.clone() } else { p.abs() };
+            row.iter().zip(&y).map(move |(p, b)| signed(p) * a * b)
+        });
+        terms.fold(Rational::zero(), |sum, t| sum + t)
+    };
+    // Whichever mode acts first, and whichever would act in the end.
+    let measured = by.forms.iter().map(value).max()?;
+    let floors = by.forms.iter().map(|form| floor(form)).collect::<Option<Vec<_>>>()?;
+    let wanted = within * within * floors.into_iter().min()?;
     if measured <= wanted {
         return Some(0);
     }

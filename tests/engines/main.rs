@@ -13,6 +13,7 @@ mod export_smt2;
 mod fast;
 mod impulse_response;
 mod own_protocol;
+mod own_random;
 mod parsers;
 mod prove;
 mod refute;

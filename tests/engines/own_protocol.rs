@@ -1,18 +1,18 @@
 //! Users' own protocols: proofs, counterexamples, convergence, critical values.
-use std::cell::Cell;
 use std::path::Path;
 
-use crate::common::{for_cases, q, run};
+use crate::common::{q, run};
+use crate::own_random;
 use cordon_check::Verdict;
-use cordon_core::Rational;
-use cordon_core::system::{Consensus, Coverage, ParameterKind, System};
+use cordon_core::linear::feasible::{Constraint, Premises};
+use cordon_core::system::{Consensus, Coverage, System};
 use cordon_proof::claims::certificate::certificate;
-use cordon_proof::claims::search::{Choice, Limits};
+use cordon_proof::claims::search::{End, Limits};
+use cordon_proof::claims::sweep::on_grid;
 use cordon_proof::claims::threshold::{Known, Property, critical, known, with};
-use cordon_proof::claims::{constants, converge, follow, is_vacuous, prove, prove_within, refute};
+use cordon_proof::claims::{PROOF, constants, converge, prove, prove_within, refute};
 use cordon_run::protocol::{parse, read};
 use cordon_run::scenario::Topology;
-use proptest::prelude::*;
 
 fn own(name: &str, agents: Option<usize>) -> System {
     let file = read(Path::new(&format!("scenarios/own/{name}.toml"))).unwrap();
@@ -62,7 +62,7 @@ fn examples_are_proved_with_valid_certificates_or_refuted() {
         let (run, _) = refute(&system, &constants(&system, 3).unwrap(), None, 3);
         assert_eq!(run, None, "{name}");
     }
-    for name in ["digraph", "grid", "second-order"] {
+    for name in ["digraph", "grid", "second-order", "turn-or-pull"] {
         let found = converge::contraction(&own(name, None)).unwrap().unwrap();
         assert!(is_valid(&found.certificate) && found.rate < q("1"), "{name}");
     }
@@ -75,7 +75,7 @@ fn examples_are_proved_with_valid_certificates_or_refuted() {
     let files =
         files.filter(|f| f.as_ref().unwrap().path().extension().is_some_and(|e| e == "toml"));
     // The platoon is proved too, in seconds: `cordon prove` in the guide.
-    assert_eq!(files.count(), proved.len() + 3);
+    assert_eq!(files.count(), proved.len() + 4);
 }
 
 /// What needs the state bounded is proved with bounds, and without them where they are not needed.
@@ -90,6 +90,54 @@ fn the_invariant_is_strengthened_only_where_it_has_to_be() {
     assert_eq!(own_claims, with_bounds);
     let (own_claims, with_bounds, rows) = claimed("no-overshoot");
     assert!(own_claims == 1 && with_bounds == 5 && rows > 5);
+}
+
+/// Of an invariant no row follows from the others of its moment, but for the claims.
+#[test]
+fn invariants_have_no_row_too_many() {
+    let mut added = 0;
+    for name in ["rotation", "damped-pair", "no-overshoot", "pd-follower", "coverage-late"] {
+        let found = prove(&own(name, None)).unwrap();
+        let rows = &found.proof.rows;
+        for (j, row) in rows.iter().enumerate().filter(|(_, r)| r.claim.is_none()) {
+            let others: Vec<Constraint> = rows
+                .iter()
+                .enumerate()
+                .filter(|(k, r)| *k != j && r.moment == row.moment)
+                .map(|(_, r)| r.is.clone())
+                .collect();
+            let by = Premises::new(&others).unwrap().multipliers(&row.is);
+            assert_eq!(by, None, "{name}: row {j} follows from others");
+            added += 1;
+        }
+        assert!(is_valid(&certificate(&found.system, &found.proof).unwrap()), "{name}");
+    }
+    assert!(added >= 10, "{added}");
+}
+
+/// What a search may do is counted, and what ended it has a name.
+#[test]
+fn searches_end_at_their_limits_and_say_at_which() {
+    let rotation = own("rotation", None);
+    let ended = |system: &System, limits: Limits| prove_within(system, &limits).unwrap_err();
+    assert_eq!(ended(&rotation, Limits { work: 100, ..PROOF }), End::Work);
+    assert_eq!(ended(&rotation, Limits { steps: 1, ..PROOF }), End::Steps);
+    assert_eq!(ended(&rotation, Limits { half_spaces: 1, ..PROOF }), End::HalfSpaces);
+    assert_eq!(ended(&own("hasty-coverage", None), PROOF), End::Varying);
+    let fixed = with(&own("hasty-coverage", None), 0, &q("3/5"));
+    assert_eq!(ended(&fixed, PROOF), End::Failure);
+    assert!(prove_within(&rotation, &PROOF).is_ok());
+}
+
+/// Order and a box on 200 agents: rows that what is nearest does not show are shown from what is some
+/// links away, not from everything.
+#[test]
+fn order_and_box_on_a_long_line_take_little_work() {
+    let line = own("coverage", Some(200));
+    assert!(prove_within(&line, &Limits { work: 20_000_000, ..PROOF }).is_ok());
+    let fast = with(&line, 0, &q("3/5"));
+    let (run, _) = refute(&fast, &constants(&fast, 1).unwrap(), None, 2);
+    assert_eq!(run.map(|run| run.step), Some(1));
 }
 
 /// A long line: the programs are as large as what a row speaks of, not as the line.
@@ -301,118 +349,107 @@ fn critical_values_are_bracketed_from_both_sides() {
     assert!(&found.fails - &found.holds <= q("1/100"), "{found:?}");
 }
 
-/// Two or three agents, small rational coefficients, a box of starts, one or two claims.
-fn random_protocol() -> impl Strategy<Value = String> {
-    (2usize..=3).prop_flat_map(|n| {
-        let entry = (-2i32..=2, 4i32..=6);
-        let row = prop::collection::vec(entry, n + 1);
-        let claim = (prop::collection::vec(-2i32..=2, n), 0i32..=4, any::<bool>());
-        (prop::collection::vec(row, n), prop::collection::vec(claim, 1..=2), 0u8..4)
-            .prop_map(move |(rows, claims, kind)| text(&rows, &claims, kind))
-    })
+/// Two modes without a common form have one for each; a form for each settles as one does.
+#[test]
+fn modes_have_forms_of_their_own() {
+    let system = own("turn-or-pull", None);
+    let found = converge::contraction(&system).unwrap().unwrap();
+    assert_eq!(found.forms.len(), 2);
+    assert!(found.certificate["certificate"]["quadratic"]["matrices"].get("pull").is_some());
+    assert!(is_valid(&found.certificate));
+    let step = cordon_proof::claims::settle::settles(&system, &found, None, &q("1/10")).unwrap();
+    // Every word of modes as long as that ends within, from every corner of the box.
+    let maps: Vec<_> = system.modes.iter().map(|m| m.at(&[])).collect();
+    let mut largest = q("0");
+    let mut states: Vec<Vec<cordon_core::Rational>> =
+        [["1", "1"], ["1", "-1"]].map(|x| x.map(q).to_vec()).to_vec();
+    for _ in 0..step.min(14) {
+        states = states.iter().flat_map(|x| maps.iter().map(|m| m.apply(x))).collect();
+        largest = states.iter().flatten().map(num_traits::Signed::abs).max().unwrap();
+    }
+    assert!(step > 14 || largest <= q("1/10"), "{step} {largest}");
+    // Faster turns: neither converges any more.
+    let text = std::fs::read_to_string("scenarios/own/turn-or-pull.toml").unwrap();
+    let fast = self::system(&text.replace("v/2\", v = \"-x\"", "2*v\", v = \"-x\""));
+    assert!(converge::contraction(&fast).unwrap().is_none());
 }
 
-type Row = Vec<(i32, i32)>;
-
-/// Kind 0 has no parameter, 1 a constant with a range, 2 agents that may skip, 3 one that varies.
-fn text(rows: &[Row], claims: &[(Vec<i32>, i32, bool)], kind: u8) -> String {
-    let n = rows.len();
-    let mut text = format!("agents = {n}\nstart = [\"-1 <= x[i] <= 1\"]\nclaims = [");
-    for (normal, bound, strict) in claims {
-        let sum: Vec<String> =
-            normal.iter().enumerate().map(|(i, c)| format!("({c})*x{i}")).collect();
-        let sign = if *strict { "<" } else { "<=" };
-        text += &format!("\"{} {sign} {bound}\", ", sum.join(" + "));
-    }
-    text += "]\n";
-    text += match kind {
-        1 => "[parameters]\neps = \"1/4..1/2\"\n",
-        2 => "[departures]\nskip = true\n",
-        3 => "[parameters]\neps = { varying = \"1/4..1/2\" }\n",
-        _ => "",
+/// What a step keeps does not vanish: a start from which it is there does not converge, if such a start
+/// is assumed.
+#[test]
+fn what_is_kept_does_not_converge() {
+    let text = |rules: &str, start: &str| {
+        system(&format!(
+            "agents = 1\nstate = \"x, v\"\nstart = [{start}]\nconverges = \"target\"\ntarget = {{ x = \"0\", \
+             v = \"0\" }}\n[rules]\nall = {{ {rules} }}\n"
+        ))
     };
-    text += "[rules]\n";
-    for (i, row) in rows.iter().enumerate() {
-        let mut terms: Vec<String> =
-            row.iter().take(n).enumerate().map(|(j, (a, d))| format!("({a})/({d})*x{j}")).collect();
-        let (a, d) = row[n];
-        if kind % 2 == 1 {
-            terms.push(format!("eps*({a})/({d})*x0"));
-        } else {
-            terms.push(format!("({a})/({})", 4 * d));
+    let anywhere = "\"-1 <= x[i] <= 1\", \"-1 < v[i] < 1\"";
+    let mut shown = 0;
+    for (rules, start, fails) in [
+        // A Jordan block, a component that stays, one that changes its sign, a turn by a fourth of a turn
+        // and by one whose cosine is 3/5.
+        ("x = \"x + v\", v = \"v\"", anywhere, true),
+        ("x = \"x/2\", v = \"v\"", anywhere, true),
+        ("x = \"x/2\", v = \"x - v\"", anywhere, true),
+        ("x = \"-v\", v = \"x\"", anywhere, true),
+        ("x = \"3*x/5 - 4*v/5\", v = \"4*x/5 + 3*v/5\"", anywhere, true),
+        // What stays is 0 at every assumed start.
+        ("x = \"x/2\", v = \"v\"", "\"-1 <= x[i] <= 1\", \"v[i] = 0\"", false),
+        ("x = \"x/2\", v = \"v/3\"", anywhere, false),
+        ("x = \"2*x\", v = \"v/3\"", anywhere, true),
+        ("x = \"2*x\", v = \"v/3\"", "\"x[i] = 0\", \"-1 < v[i] < 1\"", false),
+    ] {
+        let system = text(rules, start);
+        let found = converge::grows(&system).unwrap();
+        assert_eq!(found.is_some(), fails, "{rules}, {start}");
+        if let Some(found) = found {
+            assert!(is_valid(&found.certificate), "{rules}");
+            assert!(system.starts.iter().all(|p| p.holds(&found.start)), "{rules}");
+            shown += 1;
         }
-        text += &format!("{i} = \"{}\"\n", terms.join(" + "));
+        assert!(!fails || converge::contraction(&system).unwrap().is_none());
     }
-    text
+    assert_eq!(shown, 6);
 }
 
-/// Starts on a grid of the box, ends included.
-fn grid(n: usize) -> Vec<Vec<Rational>> {
-    let values = ["-1", "-1/3", "0", "1"].map(q);
-    (0..4usize.pow(n as u32))
-        .map(|code| (0..n).map(|i| values[code / 4usize.pow(i as u32) % 4].clone()).collect())
-        .collect()
+/// The grid has the assumed starts that it should, and what fails from one is what an exact run says.
+#[test]
+fn claims_are_swept_over_the_starts_of_a_grid() {
+    let coverage = with(&own("coverage", Some(4)), 0, &q("1/2"));
+    let values = constants(&coverage, 1).unwrap();
+    // 0 < a < b < 1 in eighths.
+    let tried = on_grid(&coverage, &values, 8, 5).unwrap();
+    assert_eq!((tried.starts, tried.states, tried.failures.len()), (21, 126, 0));
+    let fast = with(&coverage, 0, &q("3/5"));
+    let tried = on_grid(&fast, &[vec![q("3/5")]], 8, 5).unwrap();
+    let failure = tried.failures.values().min_by_key(|f| f.step).unwrap();
+    assert_eq!(failure.step, 1);
+    let states = fast.run(&failure.values, &failure.start, 1);
+    assert!(fast.claims.iter().all(|c| c.predicate.holds(&states[0])));
+    assert!(fast.claims.iter().any(|c| !c.predicate.holds(&states[1])));
+    // Any mode in any step, each state once.
+    let both = system(
+        "agents = 1\nstart = [\"0 <= x0 <= 1\"]\nclaims = [\"x0 < 4\"]\n[modes.up]\nall = \"2*x\"\n\
+         [modes.down]\nall = \"x/2\"\n",
+    );
+    let tried = on_grid(&both, &[vec![]], 1, 2).unwrap();
+    assert_eq!((tried.starts, tried.states, tried.failures[&0].step), (2, 3 + 6, 2));
+    let free = system("agents = 1\nstart = [\"x0 >= 0\"]\nclaims = [\"x0 >= 0\"]\n[rules]\nall = \"x\"\n");
+    let message = on_grid(&free, &[vec![]], 4, 1).unwrap_err().to_string();
+    assert!(message.contains("`x0` has no bound"), "{message}");
 }
 
-/// Choices of six steps, by a number: constants stay, what varies takes its ends.
-fn choices(system: &System, eps: &Rational, code: usize) -> Vec<Choice> {
-    let values = |step: usize| {
-        let mut bits = (code * 2_654_435_761) >> step;
-        let mut value = |p: &cordon_core::system::Parameter| {
-            bits >>= 3;
-            match p.kind {
-                ParameterKind::Constant => eps.clone(),
-                _ if bits & 1 == 0 => p.low.clone(),
-                _ => p.high.clone(),
-            }
-        };
-        system.parameters.iter().map(&mut value).collect()
-    };
-    (0..6).map(|step| Choice { mode: 0, values: values(step) }).collect()
+#[test]
+fn modes_are_in_the_order_in_which_they_are_declared() {
+    let both = "agents = 1\nclaims = [\"x0 >= 0\"]\n[modes.up]\nall = \"2*x\"\n[modes.down]\nall = \"x/2\"\n";
+    let names: Vec<String> = system(both).modes.into_iter().map(|m| m.name).collect();
+    assert_eq!(names, ["up", "down"]);
 }
 
 #[test]
 fn what_is_proved_never_fails_and_what_is_refuted_replays() {
-    let (proved, refuted, open) = (Cell::new(0), Cell::new(0), Cell::new(0));
-    for_cases(150, random_protocol(), |text| {
-        let file = parse("random", &text).map_err(|e| TestCaseError::fail(e.to_string()))?;
-        let system = file.system().map_err(|e| TestCaseError::fail(e.to_string()))?;
-        prop_assert!(!is_vacuous(&system));
-        let limits = Limits { steps: 30, half_spaces: 60, work: 3_000_000 };
-        let proof = prove_within(&system, &limits);
-        let (found, complete) = refute(&system, &constants(&system, 4).unwrap(), None, 4);
-        prop_assert!(proof.is_err() || found.is_none(), "both proved and refuted:\n{}", text);
-        if let Ok(found) = proof {
-            let certificate = certificate(&found.system, &found.proof).unwrap();
-            let verdict = cordon_check::check(&certificate.to_string());
-            prop_assert!(matches!(verdict, Verdict::Valid { .. }), "{}\n{}", verdict, text);
-            // Constants of its own, starts of its own, choices of its own.
-            for (code, eps) in ["1/4", "3/10", "1/2"].map(q).into_iter().enumerate() {
-                for (n, start) in grid(system.agents).into_iter().enumerate() {
-                    let by = choices(&system, &eps, 7 * n + code);
-                    prop_assert_eq!(follow(&system, &[], &start, by), None, "{}", text);
-                }
-            }
-            proved.set(proved.get() + 1);
-        } else if let Some(run) = found {
-            // Executed anew: an assumed start, the claims kept before the step and broken at it.
-            let again = follow(&system, &run.values, &run.states[0], run.choices.clone());
-            prop_assert_eq!(again.as_ref(), Some(&run));
-            prop_assert!(system.starts.iter().all(|c| c.holds(&run.states[0])));
-            refuted.set(refuted.get() + 1);
-        } else {
-            // Not refuted up to a step is complete for all starts: none on the grid fails.
-            for (n, start) in grid(system.agents).into_iter().enumerate() {
-                let mut by = choices(&system, &q("1/4"), n);
-                by.truncate(complete);
-                prop_assert_eq!(follow(&system, &[], &start, by), None, "{}", text);
-            }
-            open.set(open.get() + 1);
-        }
-        Ok(())
-    });
-    assert_eq!(proved.get() + refuted.get() + open.get(), 150);
-    assert!(proved.get() >= 20 && refuted.get() >= 20, "{proved:?} {refuted:?} {open:?}");
+    own_random::agree(150);
 }
 
 #[test]
@@ -471,6 +508,7 @@ fn prove_ends_with_a_certificate_a_counterexample_or_neither() {
     let (code, out, _) = prove(turning.to_str().unwrap());
     assert_eq!(code, 3);
     assert!(out.contains("not refuted") && out.contains("complete for all starts"), "{out}");
+    assert!(out.contains("not proved: the invariant needs more "), "{out}");
     let (code, out, _) =
         run(&["prove", "--protocol", "scenarios/own/digraph.toml", "--format", "json"]);
     let page: serde_json::Value = serde_json::from_str(&out).unwrap();
@@ -524,6 +562,15 @@ fn mistakes_are_named_with_file_line_column_and_key() {
         ),
         (rule("eps*eps*x"), "rules.all (agent 0): `eps` to the power 2"),
         (rule("x*x"), "rules.all (agent 0): a product of state variables"),
+        (
+            rule("prev.x").replace("agents = 2", "agents = 1").replace("line", "ring"),
+            "rules.all (agent 0): `prev`: expected a ring of two agents or more",
+        ),
+        (
+            good.replace("\"x0 < x1\"", "{ holds = \"x0 < x1\", from = 1001 }"),
+            "p.toml:3:11: claims: `from = 1001`: expected a step from 0 to 1000",
+        ),
+        (good.replace("x0 < x1", "2 < 1"), "start: no start meets the claims, which are assumed where"),
         (rule("x +"), "p.toml:7:11: rules.all: expected a number, a name or `(`, found the end"),
         (
             rule("prev.x"),

@@ -5,4 +5,7 @@
 mod common;
 
 mod kernel;
+mod own;
+#[path = "../engines/own_random.rs"]
+mod own_random;
 mod theorems;

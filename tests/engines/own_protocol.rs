@@ -435,7 +435,8 @@ fn claims_are_swept_over_the_starts_of_a_grid() {
     );
     let tried = on_grid(&both, &[vec![]], 1, 2).unwrap();
     assert_eq!((tried.starts, tried.states, tried.failures[&0].step), (2, 3 + 6, 2));
-    let free = system("agents = 1\nstart = [\"x0 >= 0\"]\nclaims = [\"x0 >= 0\"]\n[rules]\nall = \"x\"\n");
+    let free =
+        system("agents = 1\nstart = [\"x0 >= 0\"]\nclaims = [\"x0 >= 0\"]\n[rules]\nall = \"x\"\n");
     let message = on_grid(&free, &[vec![]], 4, 1).unwrap_err().to_string();
     assert!(message.contains("`x0` has no bound"), "{message}");
 }
@@ -570,7 +571,10 @@ fn mistakes_are_named_with_file_line_column_and_key() {
             good.replace("\"x0 < x1\"", "{ holds = \"x0 < x1\", from = 1001 }"),
             "p.toml:3:11: claims: `from = 1001`: expected a step from 0 to 1000",
         ),
-        (good.replace("x0 < x1", "2 < 1"), "start: no start meets the claims, which are assumed where"),
+        (
+            good.replace("x0 < x1", "2 < 1"),
+            "start: no start meets the claims, which are assumed where",
+        ),
         (rule("x +"), "p.toml:7:11: rules.all: expected a number, a name or `(`, found the end"),
         (
             rule("prev.x"),

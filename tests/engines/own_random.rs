@@ -113,8 +113,7 @@ fn read(text: &str) -> Result<Option<System>, TestCaseError> {
 /// Whenever a proof is found exact runs keep the claims, whenever a counterexample is found it replays,
 /// and where neither is found none is on the grid up to the step that was said.
 pub fn agree(cases: u32) {
-    let (proved, refuted, open, empty) =
-        (Cell::new(0), Cell::new(0), Cell::new(0), Cell::new(0));
+    let (proved, refuted, open, empty) = (Cell::new(0), Cell::new(0), Cell::new(0), Cell::new(0));
     for_cases(cases, random_protocol(0..4), |text| {
         let Some(system) = read(&text)? else {
             empty.set(empty.get() + 1);

@@ -13,8 +13,8 @@
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use serde_json::Value;
 
-use super::certificate::linear_system;
 use super::bounds::extreme;
+use super::certificate::linear_system;
 use super::doubles::{
     Matrix, dot, identity, image, largest, moved, negative_direction, plus, product,
     spectral_radius,
@@ -481,10 +481,13 @@ fn positive_start(
     }
     // The slope of the form there, as a form of the state.
     let slope = form.iter().map(|row| matrix::dot(row, direction));
-    let far = readouts.forms().into_iter().zip(slope).fold(
-        Affine::constant(Rational::zero()),
-        |sum, (readout, factor)| sum + &(readout * &Affine::constant(factor)),
-    );
+    let far = readouts
+        .forms()
+        .into_iter()
+        .zip(slope)
+        .fold(Affine::constant(Rational::zero()), |sum, (readout, factor)| {
+            sum + &(readout * &Affine::constant(factor))
+        });
     let work = Work::limited(super::PROOF.work);
     let inside = point_within(system.state.len(), &starts, &work)?;
     let near = Rational::new(1.into(), 64.into());

@@ -8,11 +8,16 @@ use clap::parser::ValueSource;
 use cordon_core::{Error, Result, files};
 
 /// Commands, flags, and what else each flag needs to be given.
-const NEEDS: [(&str, &str, &str); 18] = [
+const NEEDS: [(&str, &str, &str); 23] = [
     ("trace", "form", "check"),
     ("trace", "engine", "at"),
     ("trace", "verify", "at"),
     ("sweep", "seed", "sample"),
+    ("sweep", "agents", "protocol"),
+    ("sweep", "set", "protocol"),
+    ("theorems", "agents", "protocol"),
+    ("theorems", "set", "protocol"),
+    ("theorems", "check", "protocol"),
     ("smt2", "agents", "protocol"),
     ("smt2", "set", "protocol"),
     ("smt2", "steps", "negate"),

@@ -19,7 +19,7 @@ pub struct Args {
     #[command(flatten)]
     pub own: own_protocol::ProtocolArgs,
     /// With --protocol: prove or refute each claim, and say what is known of it
-    #[arg(long, requires = "protocol", help_heading = "Own protocol")]
+    #[arg(long, help_heading = "Own protocol")]
     pub check: bool,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]

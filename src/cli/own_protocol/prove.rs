@@ -309,10 +309,15 @@ fn proved(found: &Proved, file: Option<&str>, out: &mut dyn Write) -> Result<()>
 }
 
 fn converges(found: &Contraction, out: &mut dyn Write) -> Result<()> {
+    let falls = match found.forms.len() {
+        1 => "a quadratic form of what has to vanish falls in every step, its root by",
+        _ => {
+            "quadratic forms of what has to vanish, one for each mode, fall in every step, their roots by"
+        }
+    };
     writeln!(
         out,
-        "  converges: a quadratic form of what has to vanish falls in every step, its root by {} ({}) at \
-         least",
+        "  converges: {falls} {} ({}) at least",
         fraction(&found.rate),
         decimal_string(&found.rate, 6)
     )?;

@@ -47,10 +47,11 @@ pub(super) struct Options {
     /// Keep no theorem to its own range of weights: shows why the range is needed
     #[arg(long, conflicts_with = "protocol")]
     any_weight: bool,
-    /// Least number of grid units across the region where internal drones start
+    /// Least number of grid units across the region where internal drones start; with --protocol the parts
+    /// into which each variable's range is divided
     #[arg(long, value_name = "G", default_value_t = 8)]
     grid: u32,
-    /// Last protocol step k, up to 100000
+    /// Last protocol step k, up to 100000; with --protocol up to 1000
     #[arg(long, value_name = "K", default_value_t = 20)]
     steps: usize,
     /// Decide for all real starts instead of trying a grid

@@ -72,7 +72,7 @@ pub fn prove_within(system: &System, limits: &Limits) -> Result<Proved, End> {
         work: limits.work / 4,
     };
     let first = attempt(system, &short);
-    if first.is_ok() || matches!(first, Err(End::Failure)) {
+    if first.is_ok() || matches!(first, Err(End::Failure | End::Varying)) {
         return first;
     }
     let bounded = bounds::bounded(system, &Work::limited(limits.work / 4));

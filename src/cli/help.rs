@@ -94,8 +94,8 @@ Limits: result files of 1 GiB. Exit codes: as for `cordon sweep`; 2 where files 
   cordon refute 7.2 --activation --drones 4
   cordon refute --protocol scenarios/own/hasty-coverage.toml
 
-Limits: 3 to 50 drones (12 with --activation), 1,000 steps, denominators up to 100, ranges of eps of \
-length 100, 100,000 patterns of delays; numbers of 2,100 characters, which the independent checker reads.",
+Limits: 3 to 50 drones, 600 positions with those that late messages are about, 1,000 steps, denominators up to \
+100, ranges of eps of length 100; numbers of 2,100 characters, which the independent checker reads.",
     ),
     (
         "prove",
@@ -192,7 +192,8 @@ fn hinted(arg: Arg) -> Arg {
         Some("FILE" | "FILES" | "FILE.fmu" | "RUN" | "SCENARIO" | "PATH") => ValueHint::FilePath,
         _ => ValueHint::Unknown,
     };
-    let is_theorems = matches!(arg.get_id().as_str(), "theorems" | "theorem" | "check")
+    let names_theorems = matches!(arg.get_id().as_str(), "theorems" | "theorem" | "check");
+    let is_theorems = names_theorems && arg.get_action().takes_values()
         || names.first().is_some_and(|n| n.as_str() == "NUMBERS") && is_text(&arg);
     // `-1` is a number that is out of range, no flag.
     let takes_number = arg.get_action().takes_values() && !arg.is_positional();

@@ -17,9 +17,8 @@ use cordon_core::theorems;
 use cordon_core::{Error, Outcome, Rational, Result, progress, range};
 use cordon_proof::certificate::{self, Departure};
 use cordon_proof::counterexample::Counterexample;
-use cordon_proof::refute::{
-    Coverage, Extent, SearchResult, SearchSpace, activation, delay, search,
-};
+use cordon_proof::refute::departing::Departures;
+use cordon_proof::refute::{Coverage, Extent, SearchResult, SearchSpace, departing, search};
 
 /// Arguments of `cordon refute`.
 #[derive(clap::Args, Debug)]
@@ -97,7 +96,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     }
     let mut outcome = Outcome::Holds;
     let mut results = Vec::new();
-    if let Some(space) = spaces.iter().find(|s| s.is_long() || args.has_many_patterns(s)) {
+    if let Some(space) = spaces.iter().find(|s| s.is_long()) {
         super::progress::announce(&format!(
             "{} with up to {} drones: this may take some minutes",
             space.theorem.number(),
@@ -106,9 +105,8 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     }
     progress::expect(spaces.iter().map(SearchSpace::pieces).sum());
     for space in &spaces {
-        let answer = match args.delay {
-            Some(longest) => delay::search(space, longest)?,
-            None if args.activation => activation::search(space)?,
+        let answer = match args.departures() {
+            Some(departures) => departing::search(space, departures)?,
             None => search(space),
         };
         outcome = outcome.worst(match &answer.found {
@@ -172,18 +170,17 @@ impl Args {
         Ok(())
     }
 
-    /// Whether steps have so many patterns of skipped updates or delays that trying them is long.
-    fn has_many_patterns(&self, space: &SearchSpace) -> bool {
-        let most = space.drones.iter().max().copied().unwrap_or_default();
-        let delayed = |longest| delay::number_of_patterns(most, longest);
-        (self.activation && (10..=activation::MOST).contains(&most))
-            || self.delay.is_some_and(|d| (10_000..=delay::MOST_PATTERNS).contains(&delayed(d)))
+    /// How steps depart from the protocol as written.
+    fn departures(&self) -> Option<Departures> {
+        match self.delay {
+            Some(longest) => Some(Departures::Late(longest)),
+            None => self.activation.then_some(Departures::Skips),
+        }
     }
 
     /// Whether the search knows what the theorem reads.
     fn applies(&self, space: &SearchSpace) -> bool {
-        let plain = !self.activation && self.delay.is_none();
-        plain || activation::single_placement(space.theorem, space.form)
+        self.departures().is_none() || departing::is_claim(space.theorem, space.form)
     }
 
     fn spaces(&self) -> Result<Vec<SearchSpace>> {
@@ -256,31 +253,26 @@ impl Args {
     /// What is known where no counterexample was found.
     fn extent(&self, space: &SearchSpace, extent: Extent) -> String {
         let steps = space.steps;
-        match (extent, self.activation, self.delay) {
-            (Extent::EveryStartAndStep, true, _) => {
-                "none exists: complete for all starts, steps and patterns (inductive)".to_owned()
-            }
-            (Extent::EveryStartAndStep, _, Some(_)) => {
-                "none exists: complete for all starts, steps and delays whatsoever (inductive)"
-                    .to_owned()
-            }
-            (Extent::EveryStartAndStep, ..) if space.theorem == Theorem::Limit => {
+        let every = match self.departures() {
+            None => String::new(),
+            Some(Departures::Skips) => " and patterns of skipped updates".to_owned(),
+            Some(Departures::Late(longest)) => format!(" and delays up to {longest}"),
+        };
+        match extent {
+            Extent::EveryStartAndStep if space.theorem == Theorem::Limit => {
                 "none exists: complete for all starts and all steps (I - A^2 positive definite)"
                     .to_owned()
             }
-            (Extent::EveryStartAndStep, ..) => {
+            Extent::EveryStartAndStep if every.is_empty() => {
                 "none exists: complete for all starts and all steps (inductive)".to_owned()
             }
-            (Extent::EveryStart, true, _) => {
-                format!("none exists up to step {steps}: complete for all starts and patterns")
+            Extent::EveryStartAndStep => {
+                format!("none exists: complete for all starts, steps{every} (inductive)")
             }
-            (Extent::EveryStart, _, Some(longest)) => format!(
-                "none exists up to step {steps}: complete for all starts and all constant delays up to {longest}"
-            ),
-            (Extent::EveryStart, ..) => {
-                format!("none exists up to step {steps}: complete for all starts")
+            Extent::EveryStart => {
+                format!("none exists up to step {steps}: complete for all starts{every}")
             }
-            (Extent::Tried, ..) => format!("none found up to step {steps}: not complete"),
+            Extent::Tried => format!("none found up to step {steps}: not complete"),
         }
     }
 }

@@ -106,7 +106,7 @@ refute 7.2 --eps 1..2000
 refute 7.2 --steps 1001
 refute 7.2 --denominators 0
 refute 7.5i --activation
-refute 7.2 --activation --drones 40
+refute 7.2 --delay 20 --drones 40
 refute --protocol scenarios/paper.toml
 refute --protocol scenarios/own/hasty-coverage.toml --drones 3
 prove 9.9

@@ -4,6 +4,7 @@ use std::path::Path;
 use crate::common::{q, run};
 use crate::own_random;
 use cordon_check::Verdict;
+use cordon_core::Rational;
 use cordon_core::linear::feasible::{Constraint, Premises};
 use cordon_core::system::{Consensus, Coverage, System};
 use cordon_proof::claims::certificate::certificate;

@@ -12,7 +12,7 @@ pub mod settle;
 pub mod sweep;
 pub mod threshold;
 
-pub use refute::{MOST_COMBINATIONS, Run, constants, follow, refute};
+pub use refute::{MOST_COMBINATIONS, Run, Sought, WORK, constants, follow, refute, sought};
 
 use cordon_core::Rational;
 use cordon_core::linear::feasible::point_within;

@@ -85,26 +85,56 @@ pub fn refute(
             None => steps,
         };
         // What the simple ones leave, the others may use.
-        let limits = Limits { steps: deepest, half_spaces: 1_000, work: left / others };
-        let parameters = super::at(system, values);
-        let mut search = Search::new(system, &automaton, parameters, starts.clone(), &limits);
-        let answer = search.run();
-        left -= limits.work - search.left();
-        match answer {
-            Answer::Refuted(start, choices) => {
-                if let Some(run) = follow(system, values, &start, choices)
-                    && best.as_ref().is_none_or(|b| run.step < b.step)
-                {
-                    best = Some(run);
-                }
+        let mut work = left / others;
+        left -= work;
+        match sought(system, &automaton, values, starts.clone(), deepest, &mut work) {
+            Sought::Fails(run) if best.as_ref().is_none_or(|b| run.step < b.step) => {
+                best = Some(run);
             }
-            Answer::Proved(_) => {}
-            Answer::Open(depth, _) => {
+            Sought::Fails(_) | Sought::Never => {}
+            Sought::NotUpTo(depth) => {
                 complete = complete.min(depth.max(if depth >= deepest { steps } else { 0 }))
             }
         }
+        left += work;
     }
     (best, complete)
+}
+
+/// What a search found at some values of the constants.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Sought {
+    /// A run in which a claim fails.
+    Fails(Run),
+    /// No claim ever fails.
+    Never,
+    /// None fails up to that step; the rest is open.
+    NotUpTo(usize),
+}
+
+/// Searches up to step `steps` at these values of the constants, with as much `work` as there is; what is
+/// left of it stays.
+pub fn sought(
+    system: &System,
+    automaton: &Automaton,
+    values: &[Rational],
+    starts: Vec<Constraint>,
+    steps: usize,
+    work: &mut u64,
+) -> Sought {
+    let limits = Limits { steps, half_spaces: 1_000, work: *work };
+    let parameters = super::at(system, values);
+    let mut search = Search::new(system, automaton, parameters, starts, &limits);
+    let answer = search.run();
+    *work = search.left();
+    match answer {
+        Answer::Refuted(start, choices) => match follow(system, values, &start, choices) {
+            Some(run) => Sought::Fails(run),
+            None => Sought::NotUpTo(0),
+        },
+        Answer::Proved(_) => Sought::Never,
+        Answer::Open(depth, _) => Sought::NotUpTo(depth),
+    }
 }
 
 fn equal(j: usize, x: &Rational) -> Constraint {

@@ -37,6 +37,9 @@ const MANY: usize = 300;
 /// Most variables of a half-space that makes them near each other.
 const FEW: usize = 4;
 
+/// Most ranges that a half-space may depend on: each has two ends, and all combinations are looked at.
+const MOST_CHOICES: usize = 12;
+
 /// How far to search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
@@ -59,6 +62,8 @@ pub enum End {
     Work,
     /// Numbers longer than a certificate may have.
     Digits,
+    /// A half-space that depends on too many ranges.
+    Choices,
     /// A claim that fails where constants differ from step to step; it may hold where they do not.
     Varying,
     /// A claim that fails.
@@ -72,6 +77,7 @@ impl fmt::Display for End {
             Self::HalfSpaces => "the invariant needs more half-spaces than the search allows",
             Self::Work => "the linear programs take more work than the search allows",
             Self::Digits => "the invariant needs longer numbers than a certificate may have",
+            Self::Choices => "a claim depends on more choices in a step than the search combines",
             Self::Varying => {
                 "a claim fails where a constant takes another value in each step, which is how ranges \
                  are proved"
@@ -247,7 +253,10 @@ impl<'s> Search<'s> {
                 .map(|(e, edge)| (e, edge.from, edge.mode))
                 .collect();
             for (edge, from, mode) in edges {
-                for corner in self.corners(j, mode) {
+                let Some(corners) = self.corners(j, mode) else {
+                    return Answer::Open(depth, End::Choices);
+                };
+                for corner in corners {
                     let Some(is) = self.pre_image(j, mode, &corner) else {
                         return Answer::Open(depth, End::Digits);
                     };
@@ -326,13 +335,18 @@ impl<'s> Search<'s> {
     }
 
     /// The corners of the ranges of the parameters that play a part in a row's image.
-    fn corners(&self, row: usize, mode: usize) -> Vec<Corner> {
+    /// None where there are more than 2^[`MOST_CHOICES`].
+    fn corners(&self, row: usize, mode: usize) -> Option<Vec<Corner>> {
         let coefficients = self.rows[row].is.form.parts().map_or(&[][..], |(_, c)| c);
-        let Some(mode) = self.system.modes.get(mode) else { return Vec::new() };
+        let mode = self.system.modes.get(mode)?;
         let mut corners = vec![Vec::new()];
         // In the order in which certificates list corners: by name, the last one changing fastest.
         let mut parameters = mode.parameters_in(coefficients);
         parameters.sort_by_key(|&p| self.parameters.get(p).map(|p| p.name.as_str()));
+        let has_ends = |&&p: &&usize| self.parameters.get(p).is_some_and(|p| p.fixed().is_none());
+        if parameters.iter().filter(has_ends).count() > MOST_CHOICES {
+            return None;
+        }
         for p in parameters {
             let ends = self.parameters.get(p).map(Parameter::ends).unwrap_or_default();
             corners = corners
@@ -346,7 +360,7 @@ impl<'s> Search<'s> {
                 })
                 .collect();
         }
-        corners
+        Some(corners)
     }
 
     /// The values of all parameters at a corner; those that play no part at their least.
@@ -519,7 +533,7 @@ impl<'s> Search<'s> {
             .collect();
         let mut proofs = Vec::new();
         for (edge, from, mode) in edges {
-            for corner in self.corners(row, mode) {
+            for corner in self.corners(row, mode)? {
                 let image = self.pre_image(row, mode, &corner)?;
                 let multipliers = self.follows(&image, from, Some(gone))?;
                 proofs.push(Kept { row, edge, corner, multipliers });

@@ -5,9 +5,8 @@
 //! exist, from any start. Where moreover a step takes the start set into itself, the same
 //! holds at every step.
 
-pub mod activation;
 mod conjunction;
-pub mod delay;
+pub mod departing;
 mod energy;
 mod exhaustive;
 mod region;

@@ -105,28 +105,6 @@ impl Region {
         }
     }
 
-    /// The product of `times` copies of a region with one extreme point, as a region in so many
-    /// times the variables.
-    pub fn repeated(&self, times: usize) -> Self {
-        let width = self.count.saturating_sub(2);
-        let shifted = |d: &Vec<Rational>, copy: usize| {
-            let mut shifted = vec![Rational::zero(); width * times];
-            for (slot, x) in shifted.iter_mut().skip(copy * width).zip(d) {
-                *slot = x.clone();
-            }
-            shifted
-        };
-        let copies = 0..times;
-        Self {
-            count: width * times + 2,
-            points: self.points.iter().map(|p| vec![p.clone(); times].concat()).collect(),
-            directions: copies
-                .flat_map(|copy| self.directions.iter().map(move |d| shifted(d, copy)))
-                .collect(),
-            open: self.open,
-        }
-    }
-
     /// A point of the interior: the mean of the points, one step along every direction.
     pub fn middle(&self) -> Vec<Rational> {
         let number = Rational::from_integer(self.points.len().into());

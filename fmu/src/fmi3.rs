@@ -1,8 +1,8 @@
 //! FMI 3.0: what co-simulation needs. The rest is in [`crate::fmi3_unsupported`].
 
 use std::ffi::{CStr, c_char, c_uint, c_void};
-use std::path::Path;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
 
 use cordon_cosim::fmi::interface::FmiVersion;
 use cordon_cosim::fmi::slave::{Refusal, Slave};

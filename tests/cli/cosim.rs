@@ -118,7 +118,8 @@ fn the_recorded_arithmetic_flies_in_an_order_of_updates_too() {
         ("0,2,1,3,4", [1.09375, 2.375, 5.34375]),
     ] {
         let (_folder, csv) = in_folder("run.csv");
-        let args = ["cosim", "scenarios/recorded.toml", "--compat", "recorded", "--duration", "0.5"];
+        let args =
+            ["cosim", "scenarios/recorded.toml", "--compat", "recorded", "--duration", "0.5"];
         let args = [&args[..], &["--order", order, "--out", &csv]].concat();
         assert_eq!(run(&args).0, 0, "{order}");
         let text = fs::read_to_string(csv).unwrap();

@@ -261,7 +261,9 @@ fn fmpys_own_way_with_ssp_archives_flies_them_right() {
 
 #[test]
 fn libcosim_and_ecos_fly_exported_archives_as_we_do_every_double() {
-    for (tool, package) in [("libcosim", "libcosimpy"), ("ecos", "fmpy, importlib.metadata as m; m.version('ecospy')")] {
+    for (tool, package) in
+        [("libcosim", "libcosimpy"), ("ecos", "fmpy, importlib.metadata as m; m.version('ecospy')")]
+    {
         let Some(python) = python_with(tool, package) else { continue };
         let dir = tempfile::tempdir().unwrap();
         let script = |ssp: &str, out: &str| {

@@ -404,7 +404,9 @@ fn integers_booleans_and_texts_are_set_and_read_back() {
         "2.0" => format!(
             r#"<ScalarVariable name="{name}" valueReference="{reference}" causality="parameter"><{kind} start="0"/></ScalarVariable>"#
         ),
-        _ => format!(r#"<{kind} name="{name}" valueReference="{reference}" causality="parameter"/>"#),
+        _ => {
+            format!(r#"<{kind} name="{name}" valueReference="{reference}" causality="parameter"/>"#)
+        }
     };
     let mut set = 0;
     for (version, whole) in [("2.0", "Integer"), ("3.0", "Int8"), ("3.0", "UInt64")] {
@@ -476,7 +478,10 @@ fn parameters_with_several_values_make_a_batch() {
         ("x0 = { from = 1, to = 2, runs = 1 }", "runs: expected 2 to 10000"),
         ("x0 = { from = 1, to = 2, step = 1 }", "expected `from`, `to` and `runs`"),
         ("gear = [0.5, 1]", "`1/2`: expected a whole number"),
-        ("x0 = { from = 0, to = 1, runs = 101 }\ny0 = { from = 0, to = 1, runs = 101 }", "too many runs"),
+        (
+            "x0 = { from = 0, to = 1, runs = 101 }\ny0 = { from = 0, to = 1, runs = 101 }",
+            "too many runs",
+        ),
     ] {
         let (code, out, err) = bench.run(&["cosim", &with(parameters)]);
         assert_eq!((code, out.as_str()), (2, ""), "{parameters}");
@@ -484,7 +489,10 @@ fn parameters_with_several_values_make_a_batch() {
     }
     let scenario = with("x0 = [20, 21]");
     for (args, part) in [
-        (&["replay", &scenario, "--out", &bench.text("page.html")][..], "2 values: expected one in a run"),
+        (
+            &["replay", &scenario, "--out", &bench.text("page.html")][..],
+            "2 values: expected one in a run",
+        ),
         (&["cosim", &scenario, "--exact"], "exact: expected one run"),
         (&["cosim", &scenario, "--format", "json"], "format: expected `csv`"),
     ] {

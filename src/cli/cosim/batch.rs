@@ -29,7 +29,9 @@ pub(super) fn run(
     }
     let format = args.out.as_deref().map(|path| args.format_of(path)).transpose()?;
     if format.or(args.format).is_some_and(|format| format != Format::Csv) {
-        return Err(Error::input("format: expected `csv`: a table is what several runs are written as"));
+        return Err(Error::input(
+            "format: expected `csv`: a table is what several runs are written as",
+        ));
     }
     let names = batch.names.iter().map(String::as_str);
     let head: Vec<String> =

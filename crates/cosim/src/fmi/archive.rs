@@ -149,8 +149,8 @@ pub(crate) fn opened(path: &Path) -> Result<Archive> {
 
 fn archive(path: &Path, stored: Box<dyn Stored>) -> Result<Archive> {
     let fail = |what: String| Error::input(format!("`{}`: {what}", path.display()));
-    let archive = ZipArchive::new(stored)
-        .map_err(|e| fail(format!("expected a whole zip archive: {e}")))?;
+    let archive =
+        ZipArchive::new(stored).map_err(|e| fail(format!("expected a whole zip archive: {e}")))?;
     if archive.len() > MOST_FILES {
         let found = archive.len();
         return Err(fail(format!("it has {found} files: expected at most {MOST_FILES}")));
@@ -165,11 +165,7 @@ fn archive(path: &Path, stored: Box<dyn Stored>) -> Result<Archive> {
 }
 
 /// A text of an archive, by its path inside. `what` is what has such a file, for messages.
-pub(crate) fn entry(
-    archive: &mut Archive,
-    name: &str,
-    what: &str,
-) -> Result<String, String> {
+pub(crate) fn entry(archive: &mut Archive, name: &str, what: &str) -> Result<String, String> {
     let entry = archive.by_name(name);
     let entry = entry.map_err(|e| format!("expected {what} with a `{name}`: {e}"))?;
     let mut bytes = Vec::new();
@@ -181,7 +177,8 @@ pub(crate) fn entry(
         return Err(format!("its `{name}` is too large: expected at most {LARGEST_TEXT} bytes"));
     }
     // What is no UTF-8 is what older tools write, ISO 8859-1: its bytes are Unicode's numbers.
-    let latin = |e: std::string::FromUtf8Error| e.as_bytes().iter().copied().map(char::from).collect();
+    let latin =
+        |e: std::string::FromUtf8Error| e.as_bytes().iter().copied().map(char::from).collect();
     Ok(String::from_utf8(bytes).unwrap_or_else(latin))
 }
 

@@ -63,7 +63,11 @@ impl Carried {
     pub fn read(resources: &Path) -> Result<Self> {
         let limit = files::Limit::PROTOCOL;
         let [scenario, protocol] = [SCENARIO, PROTOCOL].map(|name| resources.join(name));
-        Self::parse(resources, &files::read_text(&scenario, limit)?, files::read_text(&protocol, limit)?)
+        Self::parse(
+            resources,
+            &files::read_text(&scenario, limit)?,
+            files::read_text(&protocol, limit)?,
+        )
     }
 
     /// Reads the two files' texts; `resources` stands for their folder in messages.

@@ -7,8 +7,8 @@ use cordon_spec::Phase;
 
 use crate::control::{Control, Gains};
 use crate::coordination::{Coordination, Exchange, Law, OnLoss, Settings};
-use crate::fmi::carried::Carried;
 use crate::fingerprint::Fingerprint;
+use crate::fmi::carried::Carried;
 use crate::plant::{Integrator, Plant};
 use crate::quotient::Quotient;
 use crate::unit::{Causality, Dimension, Resumable, Value, Variable};

@@ -21,6 +21,6 @@ pub(crate) mod model_description;
 pub mod package;
 pub mod slave;
 pub mod snapshot;
-pub mod uri;
 #[cfg(feature = "package")]
 pub(crate) mod units;
+pub mod uri;

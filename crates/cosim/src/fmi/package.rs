@@ -39,7 +39,8 @@ pub fn fmu(model: &Model, version: FmiVersion, binary: &[u8]) -> Result<Vec<u8>>
     let name = format!("binaries/{folder}/{}{ending}", model.identifier());
     let description = model_description(model, version)?;
     let resources = model.resources().into_iter();
-    let resources: Vec<_> = resources.map(|(name, text)| (format!("resources/{name}"), text)).collect();
+    let resources: Vec<_> =
+        resources.map(|(name, text)| (format!("resources/{name}"), text)).collect();
     let mut files = vec![("modelDescription.xml", description.as_slice()), (&name, binary)];
     files.extend(resources.iter().map(|(name, text)| (name.as_str(), text.as_bytes())));
     archive(&files)

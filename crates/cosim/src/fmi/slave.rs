@@ -284,7 +284,11 @@ impl Slave {
             self.start_inputs = hold;
         } else if self.start_inputs && self.mode == Mode::Step && self.step == 0 {
             if variable.kind() != value.kind() {
-                return Err(named(&format!("expected {}, found {}", variable.kind(), value.kind())));
+                return Err(named(&format!(
+                    "expected {}, found {}",
+                    variable.kind(),
+                    value.kind()
+                )));
             }
         } else {
             self.unit.set(place, &value)?;

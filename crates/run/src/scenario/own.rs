@@ -283,7 +283,8 @@ mod tests {
             let start: Vec<Rational> =
                 (0..agents).map(|_| q(random.below(11) as i64 - 5, 1 + random.below(5))).collect();
             let wanted = system.run(&[], &start, 40);
-            let own = Own::new(("random".into(), String::new()), system, &BTreeMap::new(), None).unwrap();
+            let own =
+                Own::new(("random".into(), String::new()), system, &BTreeMap::new(), None).unwrap();
             let maps = own.cycle().unwrap();
             let motion = match maps.as_slice() {
                 [map] => crate::fast::Line::of_map(map, &start).map(Motion::Line),

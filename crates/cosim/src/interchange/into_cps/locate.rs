@@ -88,7 +88,8 @@ fn model(path: &Path) -> Result<Found> {
     let mut model: Json = serde_json::from_str(&text).map_err(fail)?;
     // What the configuration says goes before what the multi-model says.
     if let (Some(model), Some(configuration)) = (model.as_object_mut(), json.as_object_mut()) {
-        configuration.retain(|key, value| !CONFIGURATION.contains(&key.as_str()) && !value.is_null());
+        configuration
+            .retain(|key, value| !CONFIGURATION.contains(&key.as_str()) && !value.is_null());
         model.append(configuration);
     }
     let model = serde_json::from_value(model).map_err(fail)?;

@@ -213,7 +213,9 @@ pub(in super::super) fn system(path: &Path) -> Result<System> {
         ports.settings.entry(instance.clone()).or_default();
         if instances.insert(component.name.as_str(), instance).is_some() {
             let name = &component.name;
-            return Err(fail(format!("component `{name}` is there twice: expected different names")));
+            return Err(fail(format!(
+                "component `{name}` is there twice: expected different names"
+            )));
         }
     }
     let of = |name: Option<&str>, variable: &str| {
@@ -328,7 +330,11 @@ impl Parameter {
             (None, Some(Integer { value }), None, None) => json!(value),
             (None, None, Some(Boolean { value }), None) => json!(value),
             (None, None, None, Some(Text { value })) => json!(value),
-            _ => return Err(format!("parameter `{name}`: expected a finite number, true, false or a text")),
+            _ => {
+                return Err(format!(
+                    "parameter `{name}`: expected a finite number, true, false or a text"
+                ));
+            }
         })
     }
 }

@@ -18,7 +18,12 @@ fn slave(model: &Model, version: FmiVersion) -> Slave {
         fs::write(resources.path().join(name), text).unwrap();
     }
     let token = model.token(version);
-    Slave::instantiate(version, "it", &token, Some(resources.path())).unwrap()
+    let mut slave = Slave::instantiate(version, "it", &token, Some(resources.path())).unwrap();
+    if let Model::Protocol(..) = model {
+        // The platoon's leader does not move.
+        slave.set(reference(model, "id"), &Value::Integer(1)).unwrap();
+    }
+    slave
 }
 
 /// Every unit that is exported; of the protocol files a platoon.
@@ -372,6 +377,132 @@ fn what_is_no_swarm_is_refused_by_name() {
     fs::remove_file(path("cordon_plant.fmu")).unwrap();
     fails(&["cosim", &model], 74, &["cannot read", "cordon_plant.fmu"]);
     assert_eq!(tried, 8);
+}
+
+/// Archives come back as the scenario that they were, protocol files and all; what a system may have
+/// besides, and would change the run, is refused by name.
+#[test]
+fn ssp_archives_are_read_back_or_refused_by_name() {
+    crate::common::fmu_binary();
+    let (dir, path) = fresh();
+    let (a, b, ssp) = (path("a.csv"), path("b.csv"), path("swarm.ssp"));
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios/own/weighted-coverage.toml");
+    let own = format!(
+        "protocol = '{}'\nstart = [0, 0.1, 0.2, 0.3, 1]\nperiod = 2\nphase = \"last\"\n\
+         [parameters]\neps = \"1/7\"\n[flight]\nstart = [0, 0.2, 0.3, 0.4, 1]\n",
+        file.display()
+    );
+    fs::write(path("own.toml"), own).unwrap();
+    for scenario in [&path("own.toml"), "scenarios/paper.toml"] {
+        for exchange in ["exact", "double"] {
+            let flags = ["--duration", "3", "--exchange", exchange, "--out"];
+            assert_eq!(run(&[&["cosim", scenario], &flags[..], &[&a]].concat()).0, 0);
+            let exported = run(&[&["export", "ssp", scenario], &flags[..], &[&ssp]].concat());
+            assert_eq!(exported.0, 0, "{}", exported.2);
+            let (code, _, err) = run(&["cosim", &ssp, "--out", &b]);
+            assert_eq!(code, 0, "{err}");
+            assert_eq!(fs::read(&a).unwrap(), fs::read(&b).unwrap(), "{scenario} {exchange}");
+        }
+    }
+    let other = path("other.ssp");
+    let with = |from: &str, to: &str| {
+        changed(&ssp, Path::new(&other), |name, bytes| {
+            let text = || String::from_utf8(bytes.clone()).unwrap();
+            let found = name != "SystemStructure.ssd" || text().contains(from);
+            assert!(found, "{from}");
+            let edit = || text().replacen(from, to, 1).into_bytes();
+            let is_text = name == "SystemStructure.ssd";
+            Some((name.to_owned(), if is_text { edit() } else { bytes.clone() }))
+        });
+        run(&["cosim", &other, "--out", &b])
+    };
+    // Parameters from a file are as good, with a prefix too; nothing said means the default length.
+    let component = r#"<ssd:Component name="plant0""#;
+    let bound = "<ssd:ParameterBindings><ssd:ParameterBinding source=\"resources/parameters.ssv\"/>\
+                 </ssd:ParameterBindings><ssd:Connections>";
+    assert_eq!(with("<ssd:Connections>", bound).0, 0);
+    assert_eq!(fs::read(&a).unwrap(), fs::read(&b).unwrap());
+    assert_eq!(with(r#"stopTime="3""#, "").0, 0);
+    assert_eq!(fs::read_to_string(&b).unwrap().lines().count(), 502);
+    let mut refused = 0;
+    for (from, to, part) in [
+        ("<ssd:Elements>", r#"<ssd:Elements><ssd:System name="inner"/>"#, "system `inner`"),
+        (
+            "<ssd:Elements>",
+            r#"<ssd:Elements><ssd:SignalDictionaryReference name="bus"/>"#,
+            "signal dictionary `bus`",
+        ),
+        (
+            "application/x-fmu-sharedlibrary",
+            "application/x-ssp-package",
+            "component `coordination0`: type",
+        ),
+        (r#""CoSimulation""#, r#""ModelExchange""#, "implementation `ModelExchange`"),
+        (
+            "resources/cordon_plant.fmu",
+            "../plant.fmu",
+            "source `../plant.fmu`: expected a file in the archive",
+        ),
+        ("resources/cordon_plant.fmu", "https://a/b.fmu", "source `https://a/b.fmu`"),
+        (component, r#"<ssd:Component name="control0""#, "component `control0` is there twice"),
+        (
+            r#"endConnector="w1"/>"#,
+            r#"endConnector="w1"><ssc:LinearTransformation factor="2"/></ssd:Connection>"#,
+            "plant0.w1`: LinearTransformation: expected none",
+        ),
+        (
+            "<ssd:ParameterValues>",
+            "<ssd:ParameterMapping/><ssd:ParameterValues>",
+            "ParameterMapping: expected parameters by their own names",
+        ),
+        (r#"startElement="control0""#, "", "`the system.w1`: expected a connector of a component"),
+        ("<ssd:Connections>", &bound.replace("parameters.ssv", "none.ssv"), "resources/none.ssv`"),
+        ("<ssd:Connections>", &bound.replace("source", "prefix=\"a.\" source"), "`a.coordination0"),
+        ("<ssv:Real value=\"", "<ssv:Real value=\"in", "a finite number"),
+        (
+            r#"<ssd:DefaultExperiment startTime="0""#,
+            r#"<ssd:DefaultExperiment startTime="1""#,
+            "a run from 1 to 3 s",
+        ),
+    ] {
+        let (code, out, err) = with(from, to);
+        assert_eq!((code, out.as_str()), (2, ""), "{to}: {err}");
+        assert!(err.contains(&other) && err.contains(part), "{to}: {err}");
+        refused += 1;
+    }
+    assert_eq!(refused, 14);
+    fs::write(&other, "no archive").unwrap();
+    fails(&["cosim", &other], 2, &["expected an SSP archive, a whole zip archive"]);
+    drop(dir);
+}
+
+#[test]
+fn an_fmu_carries_protocol_files_only() {
+    crate::common::fmu_binary();
+    let (_dir, path) = fresh();
+    let export = ["fmu", "export", "coordination", "--out", &path("c.fmu")];
+    let with = |more: &[&str]| [&export[..], more].concat();
+    fails(&with(&["scenarios/paper.toml"]), 2, &["protocol: expected a protocol file"]);
+    fails(&with(&["scenarios/consensus.toml"]), 2, &["protocol: `consensus`: expected `coverage`"]);
+    let ranged = with(&["--protocol", "scenarios/own/digraph.toml"]);
+    fails(&ranged, 2, &["parameters.eps: `1/10..1/3`: expected one value in a run"]);
+    let plant =
+        ["fmu", "export", "plant", "--protocol", "scenarios/own/platoon.toml", "--out", "x"];
+    fails(&plant, 2, &["protocol: expected a protocol file"]);
+    assert_eq!(run(&[&ranged[..], &["--set", "eps=1/5"]].concat()).0, 0);
+    let token =
+        Model::PLAIN[0].token(FmiVersion::V2).replace("cordon_coordination", "cordon_protocol");
+    let refused = Slave::instantiate(FmiVersion::V2, "it", &token, None).err().unwrap();
+    assert!(refused.message.contains("did not say where the resources are"), "{}", refused.message);
+    let resources = tempfile::tempdir().unwrap();
+    let platoon = models().pop().unwrap();
+    for (name, text) in platoon.resources() {
+        fs::write(resources.path().join(name), text.replace("4/5", "3/5")).unwrap();
+    }
+    let token = platoon.token(FmiVersion::V2);
+    let at = Some(resources.path());
+    let refused = Slave::instantiate(FmiVersion::V2, "it", &token, at).err().unwrap();
+    assert!(refused.message.contains("no unit of this binary has it"), "{}", refused.message);
 }
 
 #[test]

@@ -465,14 +465,14 @@ fn parameters_with_several_values_make_a_batch() {
     let values: Vec<String> = rows[1..].iter().map(|r| r[..3].join(" ")).collect();
     assert_eq!(values, ["1 1 20", "2 1 41/2", "3 1 21", "4 2 20", "5 2 41/2", "6 2 21"]);
     // It glides on from where it starts: 9 m, 8.5 m and 8 m from drone 3 to the right, and 2 m on.
-    let gaps: Vec<&str> = rows[1..].iter().map(|r| r[5]).collect();
+    let gaps: Vec<f64> = rows[1..].iter().map(|r| r[5].parse().unwrap()).collect();
     assert_eq!(gaps[..3], gaps[3..]);
     assert!(gaps[0] > gaps[1] && gaps[1] > gaps[2], "{gaps:?}");
     assert!(bench.trace().contains(&"integer 2".to_owned()));
     let again = bench.run(&["cosim", &scenario]);
     assert_eq!((again.0, again.1.as_str()), (0, out.as_str()), "the same table");
     for (parameters, part) in [
-        ("x0 = []", "s.toml:10:6: unit.parameters.x0: expected at least one value"),
+        ("x0 = []", "s.toml:12:6: unit.parameters.x0: expected at least one value"),
         ("x0 = [1, true]", "unit.parameters.x0: expected numbers"),
         ("x0 = { from = 1, runs = 3 }", "unit.parameters.x0: to is missing"),
         ("x0 = { from = 1, to = 2, runs = 1 }", "runs: expected 2 to 10000"),

@@ -33,6 +33,8 @@ pub(super) fn run(
             "format: expected `csv`: a table is what several runs are written as",
         ));
     }
+    // Once more, now that it is known which files the scenario names.
+    args.out.as_deref().map_or(Ok(()), files::expect_writable)?;
     let names = batch.names.iter().map(String::as_str);
     let head: Vec<String> =
         ["run"].into_iter().chain(names).chain(COLUMNS).map(str::to_owned).collect();

@@ -149,8 +149,10 @@ pub(crate) fn opened(path: &Path) -> Result<Archive> {
 
 fn archive(path: &Path, stored: Box<dyn Stored>) -> Result<Archive> {
     let fail = |what: String| Error::input(format!("`{}`: {what}", path.display()));
-    let archive =
-        ZipArchive::new(stored).map_err(|e| fail(format!("expected a whole zip archive: {e}")))?;
+    let is_system = path.extension().is_some_and(|e| e == "ssp");
+    let what = if is_system { "an SSP archive" } else { "an FMU" };
+    let archive = ZipArchive::new(stored)
+        .map_err(|e| fail(format!("expected {what}, a whole zip archive: {e}")))?;
     if archive.len() > MOST_FILES {
         let found = archive.len();
         return Err(fail(format!("it has {found} files: expected at most {MOST_FILES}")));
@@ -263,6 +265,6 @@ mod tests {
                 assert_eq!(fmu.description.variables.len(), model.variables().len() + time);
             }
         }
-        assert_eq!(compared, 2 * (14 + 13 + 13 + 32 + 30 + 18));
+        assert_eq!(compared, 2 * (15 + 14 + 14 + 33 + 31 + 20));
     }
 }

@@ -1,5 +1,6 @@
 //! Hostile files are refused, or judged within the work allowed a file: it is work that is counted
-//! here, and no time. Each file is the most expensive of its kind that was found.
+//! here, and no time. Each file is the most expensive of its kind that was found. In debug builds too: there exact
+//! arithmetic and the checker are optimised (`Cargo.toml`), with all their assertions.
 
 use cordon_check::format::MAX_BYTES;
 use cordon_check::number::{MAX_WORK, done};
@@ -186,6 +187,31 @@ fn large_systems_are_judged_or_given_up() {
     };
     assert!(matches!(check(&quadratic(8)), Verdict::Invalid { rule: "quadratic", .. }));
     overworked("two hundred readouts", &quadratic(200));
+}
+
+#[test]
+fn long_counterexamples_are_judged_or_given_up() {
+    let run = |rows: Value, steps: usize| {
+        let names: Vec<String> = rows.as_object().unwrap().keys().cloned().collect();
+        let system = json!({ "state": names, "modes": { "m": rows } });
+        sealed(
+            "counterexample",
+            json!({
+                "system": system, "start": vec!["1"; names.len()], "claim": format!("{} < 0", names[0]),
+                "steps": vec![json!({ "by": "m" }); steps],
+            }),
+        )
+    };
+    // Numbers that become longer, many rows, and steps that do nothing.
+    let longer = |steps| run(json!({ "x": "3/7*x + 1/11*y", "y": "5/13*x - 1/3*y" }), steps);
+    assert_eq!(check(&longer(100)).label(), "valid");
+    assert!(done() > 100_000, "{}", done());
+    overworked("numbers that grow", &longer(20_000));
+    let names: Vec<String> = (0..10_000).map(|n| format!("x{n}")).collect();
+    let still = |row: &str| names.iter().map(|n| (n.clone(), json!(row))).collect::<Value>();
+    overworked("rows", &run(still("0"), 20_000));
+    let idle = json!({ "system": { "state": names, "modes": { "m": {} } }, "start": vec!["1"; 10_000], "claim": "x0 < 0", "steps": vec![json!({ "by": "m" }); 100_000] });
+    assert_eq!(check(&sealed("counterexample", idle)).label(), "valid");
 }
 
 #[test]

@@ -63,6 +63,15 @@ fn refused_before_anything_is_computed() {
 }
 
 #[test]
+fn a_file_may_have_four_mebibytes() {
+    let growth = sealed("growth", json!({ "drones": 3, "eps": "1", "vector": ["1"] }));
+    let padded = |length: usize| format!("{growth:length$}");
+    assert_eq!(check(&padded(MAX_BYTES)).label(), "valid");
+    let verdict = check(&padded(MAX_BYTES + 1)).to_string();
+    assert!(verdict.contains("at most 4194304 are read"), "{verdict}");
+}
+
+#[test]
 fn expressions_that_expand_are_given_up() {
     let sum = json!({ "positivity": { "sum": "0" } });
     let factor = "(a + b + last + eps + min + max + 1)";

@@ -13,7 +13,7 @@ use crate::expr::Relation::{NonNegative, Positive, Zero};
 use crate::expr::{Literal, Signature, Sort, Vars, joined};
 use crate::fault::{Result, fault, need};
 use crate::format::{self, Cases, Definition, Induction, Named, Positivity, Proof, Split};
-use crate::number::{charge, exhausted};
+use crate::number::charge;
 use crate::poly::{Atom, Poly};
 
 /// A universally quantified implication.
@@ -33,10 +33,9 @@ impl Clause {
         Self { vars: Vars::new(), given: Facts::new(), goal }
     }
 
-    /// Whether it is true without a look at what it speaks of.
-    pub fn says_nothing(&self) -> bool {
-        let never = self.given.values().any(|l| l.decided() == Some(false));
-        never || self.goal.decided() == Some(true)
+    /// Whether a literal given is false, so that nothing is said.
+    pub fn is_vacuous(&self) -> bool {
+        self.given.values().any(|l| l.decided() == Some(false))
     }
 
     /// The clause with polynomials in the place of variables.
@@ -331,8 +330,8 @@ impl Kernel {
         });
         let rest = left - &right;
         match rest.terms().next() {
-            _ if exhausted() => fault("work", "more than a file is allowed"),
             None => Ok(()),
+            Some((m, _)) if m.is_empty() => fault(RULE, "the sides differ in their constants"),
             Some((m, _)) => fault(RULE, format!("the sides differ at `{:.60}`", joined(m, "*"))),
         }
     }

@@ -21,7 +21,7 @@ pub fn symmetric(rule: &'static str, triangle: &[Vec<Number>], size: usize) -> R
 pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
     let row = |row: &Vec<Number>| {
         let mut sum = vec![Number::whole(0); b.first().map_or(0, Vec::len)];
-        for (x, line) in row.iter().zip(b).filter(|(x, _)| !x.is_zero() && !exhausted()) {
+        for (x, line) in row.iter().zip(b).filter(|(x, _)| !x.is_zero()) {
             for (sum, y) in sum.iter_mut().zip(line).filter(|(_, y)| !y.is_zero()) {
                 *sum = sum.clone() + &(x.clone() * y);
             }

@@ -210,7 +210,7 @@ impl<'k> Builder<'k> {
     }
 
     fn add(&mut self, name: &str, clause: Clause) -> Result<()> {
-        if self.told && !clause.says_nothing() {
+        if self.told && !clause.is_vacuous() {
             self.words.push(clause.to_string());
         }
         self.kernel.add(name, clause)

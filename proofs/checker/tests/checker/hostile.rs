@@ -198,6 +198,25 @@ fn large_systems_are_judged_or_given_up() {
     overworked("two hundred readouts", &quadratic(200));
 }
 
+/// Where runs are spoken of along edges each line of the verdict names them all.
+#[test]
+fn long_verdicts_are_given_up() {
+    let page = |length: usize| {
+        let name = |n: usize| format!("n{n}");
+        let edge = |n: usize| json!({ "from": name(n), "by": "step", "to": name(n + 1), "multipliers": [] });
+        let claim =
+            |n: usize| json!({ "at": name(n), "holds": format!("{n} >= 0"), "multipliers": {} });
+        let nodes: Value = (0..=length).map(|n| (name(n), json!([]))).collect();
+        let body = json!({
+            "system": { "state": ["x"], "modes": { "step": {} } }, "nodes": nodes, "start": "n0",
+            "edges": (0..length).map(edge).collect::<Vec<_>>(), "claims": (1..=length).map(claim).collect::<Vec<_>>(),
+        });
+        sealed("invariance", body)
+    };
+    assert_eq!(check(&page(100)).label(), "valid");
+    overworked("lines of edges", &page(1_000));
+}
+
 #[test]
 fn long_counterexamples_are_judged_or_given_up() {
     let run = |rows: Value, steps: usize| {

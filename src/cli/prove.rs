@@ -55,7 +55,11 @@ pub enum FormChoice {
 
 /// Searches certificates, has each one checked, and writes them.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    if let Some((file, system)) = args.own.system()? {
+    let own = args.own.system()?;
+    if let Some(folder) = &args.out {
+        std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
+    }
+    if let Some((file, system)) = own {
         let folder = args.out.as_deref();
         return own_protocol::prove(&args.own, &file, &system, folder, args.format, out);
     }
@@ -63,9 +67,6 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let weights = args.eps.as_deref().map(|t| range::closed("eps", t)).transpose()?;
     let narrowed = Scope { form: Form::Sharp, weights: weights.clone(), drones };
     let claims = claims(args, &narrowed)?;
-    if let Some(folder) = &args.out {
-        std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
-    }
     let (mut outcome, mut rows) = (Outcome::Holds, Vec::new());
     progress::expect(claims.len() as u64);
     for (claim, form) in claims {

@@ -60,7 +60,7 @@ pub struct Args {
     #[arg(long, value_name = "D", conflicts_with = "protocol")]
     delay: Option<usize>,
     /// File for the counterexample as a certificate
-    #[arg(long, value_name = "FILE", conflicts_with = "protocol")]
+    #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
@@ -79,6 +79,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             denominators: args.denominators,
             steps: args.steps,
             start: args.start.as_deref().map(positions).transpose()?,
+            file: args.out.clone(),
         };
         return own_protocol::refute(&args.own, &system, &search, args.format, out);
     }

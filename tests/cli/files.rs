@@ -315,3 +315,69 @@ fn a_replay_line_can_be_pasted_into_a_shell() {
         std::process::Command::new("sh").arg("-c").arg(shell).arg(program).output().unwrap();
     assert_eq!(again.status.code(), Some(1), "{}", String::from_utf8_lossy(&again.stderr));
 }
+
+/// What refutes an own protocol is a file that the independent checker runs again.
+#[test]
+fn counterexamples_of_own_protocols_are_certificates() {
+    let folder = Folder::new();
+    let cases = [
+        // A constant; skipped updates and lost links, chosen in each step; late messages.
+        ("hasty-coverage.toml", "", "in every step eps = "),
+        ("coverage-with-losses.toml", "eps=3/5", "in every step eps = 3/5"),
+        ("coverage-late.toml", "eps=3/5", "assuming of the start: "),
+        ("weighted-coverage.toml", "eps=2", "refuted at step 1: "),
+    ];
+    for (name, set, said) in cases {
+        let (own, file) = (format!("scenarios/own/{name}"), folder.name("refuted.json"));
+        let set = if set.is_empty() { vec![] } else { vec!["--set", set] };
+        let mut line = vec!["refute", "--protocol", &own, "--out", &file];
+        line.extend(&set);
+        let (code, out, err) = run(&line);
+        assert_eq!(code, 1, "{name}: {out}{err}");
+        assert!(out.ends_with(&format!("\n  wrote {file}\n")), "{name}: {out}");
+        let (code, out, err) = run(&["check", &file]);
+        assert_eq!(code, 0, "{name}: {out}{err}");
+        assert!(out.contains(": valid: a linear system of ") && out.contains(said), "{out}");
+        assert!(out.contains("\n  refuted at step "), "{out}");
+        // The claim as it fails, turned round, does not fail.
+        let text = fs::read_to_string(&file).unwrap();
+        let mut page: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let claim = &mut page["certificate"]["counterexample"]["claim"];
+        let is = claim.as_str().unwrap();
+        let turned = match is.strip_suffix(">= 0") {
+            Some(form) => format!("{form}< 0"),
+            None => is.replace("> 0", "<= 0"),
+        };
+        *claim = serde_json::json!(turned);
+        let forged = folder.with("forged.json", page.to_string());
+        let (code, out, _) = run(&["check", &forged]);
+        assert_eq!(code, 4, "{out}");
+        assert!(out.contains("the claim holds"), "{out}");
+        // In JSON the file is named.
+        line.extend(["--format", "json"]);
+        let page: serde_json::Value = serde_json::from_str(&run(&line).1).unwrap();
+        assert_eq!(page["claims"]["file"], file);
+        if !["hasty-coverage.toml", "weighted-coverage.toml"].contains(&name) {
+            continue;
+        }
+        // What is searched where a proof is missing goes into the folder of `prove`.
+        let proofs = folder.name("proofs");
+        let mut line = vec!["prove", "--protocol", &own, "--out", &proofs];
+        line.extend(&set);
+        let (code, out, err) = run(&line);
+        assert_eq!(code, 1, "{name}: {out}{err}");
+        let file = format!("{proofs}/{}-refuted.json", name.trim_end_matches(".toml"));
+        assert!(out.contains(&format!("  wrote {file}\n")), "{out}");
+        assert_eq!(run(&["check", &file]).0, 0);
+    }
+    // Where nothing is refuted nothing is written.
+    let file = folder.name("none.json");
+    let own = "scenarios/own/weighted-coverage.toml";
+    let (code, out, _) = run(&["refute", "--protocol", own, "--out", &file]);
+    assert_eq!(code, 3, "{out}");
+    assert!(!std::path::Path::new(&file).exists());
+    let nowhere = folder.name("no/such/folder.json");
+    let own = "scenarios/own/hasty-coverage.toml";
+    let (code, _, err) = run(&["refute", "--protocol", own, "--out", &nowhere]);
+    assert_eq!(code, 74, "{err}");
+}

@@ -148,6 +148,7 @@ fn certificates_meet_their_schema() {
         "prove --protocol scenarios/own/digraph.toml",
         "prove --protocol scenarios/own/digraph.toml --set eps=2",
         "prove --protocol scenarios/own/turn-or-pull.toml",
+        "prove --protocol scenarios/own/hasty-coverage.toml",
     ] {
         run(&args.split(' ').chain(["--out", &out]).collect::<Vec<_>>());
     }
@@ -173,6 +174,7 @@ fn certificates_meet_their_schema() {
     let found: Vec<_> = kinds.keys().map(String::as_str).collect();
     let expected = [
         "contraction",
+        "counterexample",
         "growth",
         "invariance",
         "quadratic",

@@ -20,12 +20,14 @@ pub fn fault<T>(rule: &'static str, reason: impl Into<String>) -> Result<T> {
     Err(Fault { rule, reason: reason.into() })
 }
 
-/// Returns a fault of a rule, with formatted words, unless the condition holds.
-macro_rules! need {
-    ($holds:expr, $rule:expr, $($words:tt)+) => {
-        if !$holds {
-            return $crate::fault::fault($rule, format!($($words)+));
-        }
-    };
+/// A fault of a rule, unless the condition holds.
+///
+/// # Errors
+/// It does not hold.
+pub fn need<W: Into<String>>(
+    holds: bool,
+    rule: &'static str,
+    words: impl FnOnce() -> W,
+) -> Result<()> {
+    if holds { Ok(()) } else { fault(rule, words()) }
 }
-pub(crate) use need;

@@ -13,7 +13,7 @@ use crate::expr::Relation::{NonNegative, Positive, Zero};
 use crate::expr::{Literal, Signature, Sort, Vars, joined};
 use crate::fault::{Result, fault, need};
 use crate::format::{self, Cases, Definition, Induction, Named, Positivity, Proof, Split};
-use crate::number::{charge, exhausted};
+use crate::number::charge;
 use crate::poly::{Atom, Poly};
 
 /// A universally quantified implication.
@@ -33,10 +33,9 @@ impl Clause {
         Self { vars: Vars::new(), given: Facts::new(), goal }
     }
 
-    /// Whether it is true without a look at what it speaks of.
-    pub fn says_nothing(&self) -> bool {
-        let never = self.given.values().any(|l| l.decided() == Some(false));
-        never || self.goal.decided() == Some(true)
+    /// Whether a literal given is false, so that nothing is said.
+    pub fn is_vacuous(&self) -> bool {
+        self.given.values().any(|l| l.decided() == Some(false))
     }
 
     /// The clause with polynomials in the place of variables.
@@ -96,14 +95,14 @@ impl Kernel {
     /// # Errors
     /// It is no name, or taken.
     pub fn fresh(&self, name: &str, vars: &Vars) -> Result<Rc<str>> {
-        need!(charge(128 + vars.len() as u64), "work", "more than a file is allowed");
+        need(charge(128 + vars.len() as u64), "work", || "more than a file is allowed")?;
         let letters = name.starts_with(|c: char| c.is_ascii_alphabetic())
             && name.bytes().all(|b| b.is_ascii_alphanumeric());
         let taken = name == "last"
             || vars.iter().any(|(v, _)| **v == *name)
             || self.signature.constants.contains_key(name)
             || self.signature.functions.contains_key(name);
-        need!(letters && !taken, "name", "`{name:.40}` is no name, or taken");
+        need(letters && !taken, "name", || format!("`{name:.40}` is no name, or taken"))?;
         Ok(name.into())
     }
 
@@ -116,7 +115,7 @@ impl Kernel {
             self.closed.insert(name.into(), clause.goal.clone());
         }
         let taken = self.lemmas.insert(name.into(), clause).is_some();
-        need!(!taken, "name", "`{name:.40}` is there twice");
+        need(!taken, "name", || format!("`{name:.40}` is there twice"))?;
         Ok(())
     }
 
@@ -177,13 +176,13 @@ impl Kernel {
         let (parameters, start, here) = match vars.split_last() {
             None => {
                 let constant = d.base.is_empty() && d.from.is_empty();
-                need!(constant, RULE, "recursion without an argument");
+                need(constant, RULE, || "recursion without an argument")?;
                 (Vars::new(), Poly::default(), Poly::default())
             }
             Some((last, parameters)) => {
                 let start = self.poly(&d.from, &Vars::new(), false)?;
                 let whole = self.signature.is_integer(&start, &Vars::new());
-                need!(whole, RULE, "`from` is no integer");
+                need(whole, RULE, || "`from` is no integer")?;
                 (parameters.to_vec(), start, Poly::var(&last.0))
             }
         };
@@ -211,7 +210,7 @@ impl Kernel {
         let other = |a: &Atom| {
             matches!(a, Atom::App(f, _) if *f == name) && !known.contains(&Poly::atom(a.clone()))
         };
-        need!(!step.any(&other), RULE, "`step` reads `{name}` at other arguments");
+        need(!step.any(&other), RULE, || format!("`step` reads `{name}` at other arguments"))?;
         let poly = scale * &value(&here, d.base.len()) - &step;
         let goal = Literal { poly, relation: Zero };
         clauses.push((format!("{name}.step"), Clause { vars: vars.clone(), given, goal }));
@@ -231,7 +230,7 @@ impl Kernel {
     }
 
     fn prove(&self, clause: &Clause, proof: &Proof, context: &Context) -> Result<()> {
-        need!(charge(128 * clause.size()), "work", "more than a file is allowed");
+        need(charge(128 * clause.size()), "work", || "more than a file is allowed")?;
         match proof {
             Proof::Positivity(p) => self.positivity(clause, p, context),
             Proof::Absurd(p) => {
@@ -258,19 +257,21 @@ impl Kernel {
             for (name, sort) in &lemma.vars {
                 let term = self.poly(field(&instance.with, name)?, &clause.vars, false)?;
                 let fits = *sort == Sort::Real || self.signature.is_integer(&term, &clause.vars);
-                need!(fits, RULE, "`{name}` stands for integers");
+                need(fits, RULE, || format!("`{name}` stands for integers"))?;
                 terms.insert(name.clone(), term);
             }
             let fits = instance.with.0.len() == lemma.vars.len()
                 && instance.given.0.len() <= lemma.given.len();
-            need!(fits, RULE, "`{:.40}` has fewer variables or literals", instance.lemma);
+            need(fits, RULE, || {
+                format!("`{:.40}` has fewer variables or literals", instance.lemma)
+            })?;
             let lemma = lemma.with(&|v| terms.get(v).cloned());
             for (name, literal) in &lemma.given {
                 let sum = field(&instance.given, name)?;
                 self.sum(literal, &[], sum, &facts, &clause.vars)?;
             }
             let taken = self.closed.contains_key(&*instance.name);
-            need!(!taken, "name", "the fact `{:.40}` is there twice", instance.name);
+            need(!taken, "name", || format!("the fact `{:.40}` is there twice", instance.name))?;
             insert(&mut facts, &instance.name, lemma.goal)?;
         }
         self.sum(&clause.goal, &p.times, &p.sum, &facts, &clause.vars)
@@ -317,20 +318,20 @@ impl Kernel {
                 continue;
             }
             let alone = goal.relation != Zero;
-            need!(alone, RULE, "a product without a zero fact, the goal being an equation");
-            need!(facts_only && c.is_positive(), RULE, "a product that may be below 0");
+            need(alone, RULE, || "a product without a zero fact, the goal being an equation")?;
+            need(facts_only && c.is_positive(), RULE, || "a product that may be below 0")?;
             strict |= product == Positive;
         }
         let enough = goal.relation != Positive || strict;
-        need!(enough, RULE, "no product that is above 0, as the goal has to be");
+        need(enough, RULE, || "no product that is above 0, as the goal has to be")?;
         let right = sum.substitute(&|a| match a {
             Atom::Fact(name) => fact(name).map(|l| l.poly.clone()),
             _ => None,
         });
         let rest = left - &right;
         match rest.terms().next() {
-            _ if exhausted() => fault("work", "more than a file is allowed"),
             None => Ok(()),
+            Some((m, _)) if m.is_empty() => fault(RULE, "the sides differ in their constants"),
             Some((m, _)) => fault(RULE, format!("the sides differ at `{:.60}`", joined(m, "*"))),
         }
     }
@@ -396,7 +397,7 @@ impl Kernel {
             return fault(RULE, words);
         };
         let differs = clause.vars.iter().any(|(v, _)| general(v) && bound.has(v));
-        need!(!differs, RULE, "the bound differs with the variables");
+        need(!differs, RULE, || "the bound differs with the variables")?;
         let earlier = self.fresh(&i.earlier, &clause.vars)?;
         let at = |p: Poly| move |v: &str| (*v == *i.variable).then(|| p.clone());
         let (variable, one) = (Poly::var(&i.variable), Poly::whole(1));
@@ -413,7 +414,7 @@ impl Kernel {
         inner.fixed.insert(i.variable.as_str().into());
         let taken = inner.hypotheses.insert(i.hypothesis.as_str().into(), hypothesis).is_some()
             || self.lemmas.contains_key(&*i.hypothesis);
-        need!(!taken, RULE, "`{:.40}` is there twice", i.hypothesis);
+        need(!taken, RULE, || format!("`{:.40}` is there twice", i.hypothesis))?;
         self.prove(&base, &i.base, context)?;
         self.prove(&step, &i.step, &inner)
     }
@@ -426,6 +427,6 @@ fn field<'n>(all: &'n Named<String>, name: &str) -> Result<&'n str> {
 
 fn insert(facts: &mut Facts, name: &str, literal: Literal) -> Result<()> {
     let taken = facts.insert(name.into(), literal).is_some();
-    need!(!taken, "name", "the fact `{name:.40}` is there twice");
+    need(!taken, "name", || format!("the fact `{name:.40}` is there twice"))?;
     Ok(())
 }

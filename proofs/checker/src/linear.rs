@@ -59,7 +59,7 @@ fn is_affine(poly: &Poly, text: &str, variables: &Signature) -> Result<()> {
     let fits = |m: &Vec<Atom>| {
         m.iter().filter(|a| variables.knows(a)).count() < 2 && m.windows(2).all(|w| w[0] != w[1])
     };
-    need!(poly.terms().all(|(m, _)| fits(m)), SYSTEM, "`{text:.60}` is not affine");
+    need(poly.terms().all(|(m, _)| fits(m)), SYSTEM, || format!("`{text:.60}` is not affine"))?;
     Ok(())
 }
 
@@ -72,20 +72,20 @@ impl<'c> System<'c> {
         let state = reals(&written.state)?;
         let rows = reals(written.state.iter().chain(written.parameters.0.keys()))?;
         for (name, [low, high]) in &written.parameters.0 {
-            need!(low <= high, SYSTEM, "the range of `{name}` is empty");
+            need(low <= high, SYSTEM, || format!("the range of `{name}` is empty"))?;
         }
         let mut modes = BTreeMap::new();
         for (name, updates) in &written.modes.0 {
             let mut mode = BTreeMap::new();
             for (variable, text) in &updates.0 {
                 let known = state.constants.contains_key(variable.as_str());
-                need!(known, SYSTEM, "mode `{name:.40}`: no variable `{variable:.40}`");
+                need(known, SYSTEM, || format!("mode `{name:.40}`: no variable `{variable:.40}`"))?;
                 mode.insert(variable.as_str(), affine(text, &rows, &state)?);
             }
             modes.insert(name.as_str(), mode);
         }
         let empty = written.state.is_empty() || modes.is_empty();
-        need!(!empty, SYSTEM, "a system without variables, or without modes");
+        need(!empty, SYSTEM, || "a system without variables, or without modes")?;
         Ok(Self { written, state, modes })
     }
 
@@ -114,7 +114,9 @@ impl<'c> System<'c> {
     /// There are more or fewer numbers than variables.
     pub fn placed(&self, rule: &'static str, numbers: &[Number]) -> Result<Values<'c>> {
         let (found, expected) = (numbers.len(), self.written.state.len());
-        need!(found == expected, rule, "a start of {found} numbers: expected {expected}");
+        need(found == expected, rule, || {
+            format!("a start of {found} numbers: expected {expected}")
+        })?;
         let values = numbers.iter().cloned().map(Poly::constant);
         Ok(self.written.state.iter().map(String::as_str).zip(values).collect())
     }
@@ -131,7 +133,7 @@ impl<'c> System<'c> {
         for atom in &occur {
             let Atom::Var(name) = atom else { continue };
             let Some([low, high]) = self.written.parameters.0.get(&**name) else { continue };
-            need!(charge(128 * all.len() as u64), "work", "more than a file is allowed");
+            need(charge(128 * all.len() as u64), "work", || "more than a file is allowed")?;
             let ends = BTreeSet::from([low, high]);
             let there = |forms: &Vec<Poly>, end: &Number| -> Vec<Poly> {
                 let end = Values::from([(&**name, Poly::constant(end.clone()))]);
@@ -140,6 +142,12 @@ impl<'c> System<'c> {
             all = all.iter().flat_map(|f| ends.iter().map(|end| there(f, end))).collect();
         }
         Ok(all)
+    }
+
+    /// A start in words.
+    pub fn start<'n>(&self, numbers: impl IntoIterator<Item = &'n Number>) -> String {
+        let named = self.written.state.iter().zip(numbers).map(|(name, n)| format!("{name} = {n}"));
+        joined(named, ", ")
     }
 
     /// The system in words, with the values of parameters that are given for the whole run, and what is assumed of the start.

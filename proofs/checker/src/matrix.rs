@@ -12,7 +12,7 @@ pub type Matrix = Vec<Vec<Number>>;
 /// The rows do not have 1, 2, ..., `size` numbers.
 pub fn symmetric(rule: &'static str, triangle: &[Vec<Number>], size: usize) -> Result<Matrix> {
     let fits = triangle.iter().map(Vec::len).eq(1..=size);
-    need!(fits, rule, "a lower triangle of {size} rows is expected");
+    need(fits, rule, || format!("a lower triangle of {size} rows is expected"))?;
     let entry = |i: usize, j: usize| triangle[i.max(j)][i.min(j)].clone();
     Ok((0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect())
 }
@@ -21,7 +21,7 @@ pub fn symmetric(rule: &'static str, triangle: &[Vec<Number>], size: usize) -> R
 pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
     let row = |row: &Vec<Number>| {
         let mut sum = vec![Number::whole(0); b.first().map_or(0, Vec::len)];
-        for (x, line) in row.iter().zip(b).filter(|(x, _)| !x.is_zero() && !exhausted()) {
+        for (x, line) in row.iter().zip(b).filter(|(x, _)| !x.is_zero()) {
             for (sum, y) in sum.iter_mut().zip(line).filter(|(_, y)| !y.is_zero()) {
                 *sum = sum.clone() + &(x.clone() * y);
             }

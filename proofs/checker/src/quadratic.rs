@@ -20,14 +20,12 @@ const MAX_READOUTS: usize = 200;
 /// What is wrong with it.
 pub fn quadratic(c: &Quadratic) -> Result<(String, usize)> {
     let (system, size) = (System::read(&c.system)?, c.readouts.len());
-    need!(
-        (1..=MAX_READOUTS).contains(&size),
-        RULE,
-        "{size} readouts: expected 1 to {MAX_READOUTS}"
-    );
+    need((1..=MAX_READOUTS).contains(&size), RULE, || {
+        format!("{size} readouts: expected 1 to {MAX_READOUTS}")
+    })?;
     let fits =
         c.maps.0.len() == system.modes.len() && c.matrix.is_some() == c.matrices.0.is_empty();
-    need!(fits, RULE, "a map for each mode is expected, and `matrix` or `matrices`");
+    need(fits, RULE, || "a map for each mode is expected, and `matrix` or `matrices`")?;
     let form = |mode: &&str| match c.matrix.as_ref().or_else(|| c.matrices.0.get(*mode)) {
         Some(triangle) => symmetric(RULE, triangle, size),
         None => fault(RULE, format!("no matrix of mode `{mode:.40}`")),
@@ -55,11 +53,13 @@ pub fn quadratic(c: &Quadratic) -> Result<(String, usize)> {
         let map =
             written.iter().map(|t| affine(t, &known, &coordinates)).collect::<Result<Vec<_>>>()?;
         let rows = map.len();
-        need!(rows == size, RULE, "mode `{mode:.40}`: {rows} rows of the map: expected {size}");
+        need(rows == size, RULE, || {
+            format!("mode `{mode:.40}`: {rows} rows of the map: expected {size}")
+        })?;
         for (j, (row, readout)) in map.iter().zip(&readouts).enumerate() {
             let is = linear(row, &coordinates) && at(row, &meaning) == at(readout, made);
             let what = "is not what a step makes of the readout";
-            need!(is, RULE, "mode `{mode:.40}`: row {j} of the map {what}");
+            need(is, RULE, || format!("mode `{mode:.40}`: row {j} of the map {what}"))?;
         }
         let (measures, how) = match &start {
             None => (definite(form.clone(), true), "the matrix is not positive definite"),
@@ -67,10 +67,12 @@ pub fn quadratic(c: &Quadratic) -> Result<(String, usize)> {
                 (congruent(y, form)[0][0].is_positive(), "the form is not above 0 at the start")
             }
         };
-        need!(measures, RULE, "mode `{mode:.40}`: {how}");
+        need(measures, RULE, || format!("mode `{mode:.40}`: {how}"))?;
         let vertices = system.vertices(&map)?;
         let one = start.is_none() || vertices.len() == 1;
-        need!(one, RULE, "mode `{mode:.40}`: growth is shown for one value of each parameter");
+        need(one, RULE, || {
+            format!("mode `{mode:.40}`: growth is shown for one value of each parameter")
+        })?;
         for (vertex, map) in vertices.iter().enumerate() {
             let entry =
                 |row: &Poly, name: &String| row.coefficient(&[Atom::Var(name.as_str().into())]);
@@ -85,7 +87,7 @@ pub fn quadratic(c: &Quadratic) -> Result<(String, usize)> {
                     None => (difference(&Number::whole(1), &moved, form), "may fall"),
                 };
                 let kept = definite(left, false);
-                need!(kept, RULE, "mode `{mode:.40}`: vertex {vertex}: the form {way}");
+                need(kept, RULE, || format!("mode `{mode:.40}`: vertex {vertex}: the form {way}"))?;
                 proved += 1;
             }
         }
@@ -93,10 +95,10 @@ pub fn quadratic(c: &Quadratic) -> Result<(String, usize)> {
     let modes = if system.modes.len() > 1 { ", whatever mode acts in each step" } else { "" };
     let said = match (&c.rate, &c.start) {
         (Some(rate), _) => format!(
-            "from every start{modes}: these tend to 0 (the root of a form of theirs falls by {rate} in each)"
+            "from every start{modes}: these tend to 0 (in each step a quadratic norm of them falls to {rate} of it at most)"
         ),
         (None, start) => {
-            let start = joined(start.iter().flatten(), ", ");
+            let start = system.start(start.iter().flatten());
             format!("from {start}{modes}: these do not all tend to 0")
         }
     };

@@ -6,11 +6,11 @@ use cordon_spec::delay::exec_coverage_delayed;
 use cordon_spec::theorems::{Setting, Subject, Theorem, Truth, Verdict, Violation};
 use cordon_spec::{Params, State};
 
-use crate::expr::{Literal, joined};
+use crate::expr::Literal;
 use crate::fault::{Result, fault, need};
 use crate::format::{Counterexample, Delay, Named, Refutation};
 use crate::linear::{System, Values, at};
-use crate::number::{Number, exhausted};
+use crate::number::{Number, charge, exhausted};
 use crate::poly::Poly;
 use crate::system::named;
 
@@ -29,29 +29,34 @@ pub fn counterexample(c: &Counterexample) -> Result<String> {
     let mut state = system.placed(RULE, &c.start)?;
     let holds = |l: &Literal, state: &Values<'_>| l.map(|p| at(p, state)).decided() == Some(true);
     for literal in &assumed {
-        need!(holds(literal, &state), RULE, "the start does not meet {literal}");
+        need(holds(literal, &state), RULE, || format!("the start does not meet {literal}"))?;
     }
     let values = |given| -> Result<Values<'_>> {
         let Named(given): &Named<Number> = given;
         for (name, value) in given {
             let within = ranges.get(name).is_some_and(|[low, high]| low <= value && value <= high);
-            need!(within, RULE, "`{name:.40}` = {value:.40} is out of its range, or no parameter");
+            need(within, RULE, || {
+                format!("`{name:.40}` = {value:.40} is out of its range, or no parameter")
+            })?;
         }
         Ok(given.iter().map(|(n, v)| (n.as_str(), Poly::constant(v.clone()))).collect())
     };
     let constant = values(&c.with)?;
     for (k, step) in c.steps.iter().enumerate().take_while(|_| !exhausted()) {
-        let mut now = values(&step.with)?;
-        let once = now.len() + constant.len() == ranges.len();
-        now.extend(constant.clone());
-        need!(once && now.len() == ranges.len(), RULE, "step {k}: each parameter needs one value");
-        now.extend(state.clone());
-        state.extend(system.rows(&step.by)?.iter().map(|(name, row)| (*name, at(row, &now))));
+        let chosen = values(&step.with)?;
+        let once = chosen.keys().all(|name| !constant.contains_key(name));
+        let each = once && chosen.len() + constant.len() == ranges.len();
+        need(each, RULE, || format!("step {k}: each parameter needs one value"))?;
+        let rows = system.rows(&step.by)?;
+        charge(128 * rows.len() as u64);
+        let value = |v: &str| [&state, &chosen, &constant].into_iter().find_map(|all| all.get(v));
+        let after: Vec<_> =
+            rows.iter().map(|(name, row)| (*name, row.with(&|v| value(v).cloned()))).collect();
+        state.extend(after);
     }
     let step = c.steps.len();
-    need!(!holds(&claim, &state), RULE, "at step {step} the claim holds");
-    let start =
-        joined(c.system.state.iter().zip(&c.start).map(|(n, v)| format!("{n} = {v}")), ", ");
+    need(!holds(&claim, &state), RULE, || format!("at step {step} the claim holds"))?;
+    let start = system.start(&c.start);
     let words = system.words(&c.with, &assumed);
     Ok(format!("{words}\n  refuted at step {step}: {claim}, by a run from {start}"))
 }
@@ -66,10 +71,12 @@ pub fn refutation(c: &Refutation) -> Result<String> {
     let finite = [Theorem::Limit, Theorem::ConstantSum, Theorem::GloballyIncreasing];
     let full = c.activation.is_none() && c.delay.is_none();
     let decides = full || !finite.contains(&theorem);
-    need!(decides, RULE, "a run of other steps decides nothing about {}", c.theorem);
+    need(decides, RULE, || format!("a run of other steps decides nothing about {}", c.theorem))?;
     let few = (3..=MAX_DRONES).contains(&count) && step <= MAX_DRONES;
-    need!(few, RULE, "expected 3 to {MAX_DRONES} drones and at most {MAX_DRONES} steps");
-    need!(c.min < c.max, RULE, "min is not below max");
+    need(few, RULE, || {
+        format!("expected 3 to {MAX_DRONES} drones and at most {MAX_DRONES} steps")
+    })?;
+    need(c.min < c.max, RULE, || "min is not below max")?;
     let params = Params { min: c.min.clone(), max: c.max.clone(), eps: c.eps.clone(), n: 0 };
     let setting = Setting::from(&params);
     let hypothesis = theorem.hypothesis(form);
@@ -78,7 +85,7 @@ pub fn refutation(c: &Refutation) -> Result<String> {
         Some("any") => hypothesis.starts.contains(&setting, &c.start),
         Some(_) => return fault(RULE, "`weights`: expected `any`"),
     };
-    need!(met == Truth::True, RULE, "the hypothesis is not met");
+    need(met == Truth::True, RULE, || "the hypothesis is not met")?;
     let run = run(c, &params, step + theorem.span(form, count))?;
     let subject = match (c.violation.subject.as_str(), c.violation.at) {
         ("pair", Some(i)) => Subject::Pair(i),
@@ -89,7 +96,7 @@ pub fn refutation(c: &Refutation) -> Result<String> {
     };
     let stated = Verdict::Violated(Violation { step: c.violation.step, subject });
     let answer = theorem.conclusion(form, &setting, run.get(step..).unwrap_or_default());
-    need!(answer == stated, RULE, "the conclusion does not answer the stated violation");
+    need(answer == stated, RULE, || "the conclusion does not answer the stated violation")?;
     let exempt = if c.weights.is_some() { ", any weight" } else { "" };
     let how = match (&c.activation, &c.delay) {
         (Some(_), _) => ", with drones skipping steps",
@@ -108,7 +115,7 @@ fn run(c: &Refutation, params: &Params<Number>, steps: usize) -> Result<Vec<Vec<
     let count = c.start.len();
     let lengths = [c.activation.as_ref().map(Vec::len), c.delay.as_ref().map(Vec::len)];
     let fits = lengths.iter().flatten().all(|l| *l == steps) && lengths.contains(&None);
-    need!(fits, RULE, "expected one schedule at most, of {steps} steps");
+    need(fits, RULE, || format!("expected one schedule at most, of {steps} steps"))?;
     let mut run = vec![c.start.clone()];
     for t in 0..steps {
         if exhausted() {
@@ -118,14 +125,14 @@ fn run(c: &Refutation, params: &Params<Number>, steps: usize) -> Result<Vec<Vec<
         let next = if let Some(active) = &c.activation {
             let sound =
                 active[t].is_sorted_by(|a, b| a < b) && active[t].iter().all(|i| *i < count);
-            need!(sound, RULE, "step {t}: expected ascending drones below {count}");
+            need(sound, RULE, || format!("step {t}: expected ascending drones below {count}"))?;
             exec_coverage_active(params, &state, |i| active[t].binary_search(&i).is_ok())
         } else if let Some(delays) = &c.delay {
             let pair = |d: &Delay| (d.drone, d.sees);
             let sound = |d: &Delay| d.drone < count && d.sees < count && (1..=t).contains(&d.age);
             let all =
                 delays[t].is_sorted_by(|a, b| pair(a) < pair(b)) && delays[t].iter().all(sound);
-            need!(all, RULE, "step {t}: expected ascending pairs, 1 <= age <= {t}");
+            need(all, RULE, || format!("step {t}: expected ascending pairs, 1 <= age <= {t}"))?;
             exec_coverage_delayed(params, &state, |i, j| {
                 match delays[t].binary_search_by_key(&(i, j), pair) {
                     Ok(at) => &run[t - delays[t][at].age][j],

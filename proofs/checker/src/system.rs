@@ -86,7 +86,7 @@ pub fn install(system: &System, kernel: &mut Kernel, step: Step) -> Result<Strin
         b.weights(theorem.hypothesis(form).weights)?;
     }
     if let Some(h) = &system.starts {
-        need!(system.protocol != "consensus", "system", "starts of coverage only");
+        need(system.protocol != "consensus", "system", || "starts of coverage only")?;
         let (theorem, form) = named(&h.theorem, &h.form)?;
         b.starts(theorem.hypothesis(form).starts)?;
     }
@@ -133,7 +133,9 @@ pub fn family(f: &Family, kernel: &mut Kernel) -> Result<String> {
     let variable = |v: &String| functions.contains_key(v.as_str());
     let variables = f.rules.0.values().flat_map(|r| r.0.keys()).all(variable);
     let classes_of = if ring { "all" } else { "first, inner, last" };
-    need!(complete && variables, "system", "expected rules for {classes_of}, of variables");
+    need(complete && variables, "system", || {
+        format!("expected rules for {classes_of}, of variables")
+    })?;
     let (k, i, one, last) = (var("k"), var("i"), int(1), b.last.clone());
     let vars = ["k", "i"].map(|v| (v.into(), Sort::Integer)).to_vec();
     for name in &f.state {
@@ -162,7 +164,7 @@ pub fn family(f: &Family, kernel: &mut Kernel) -> Result<String> {
             };
             let (text, rule) = &rules[at / 2];
             let strange = rule.any(&|a| matches!(a, Atom::App(..)) && place(a).is_none());
-            need!(!strange, "system", "`{text:.60}` speaks of other agents or steps");
+            need(!strange, "system", || format!("`{text:.60}` speaks of other agents or steps"))?;
             let own_index = |a: &Atom| (*a == Atom::Var("i".into())).then(|| own.clone());
             Ok(rule.substitute(&|a| place(a).or_else(|| own_index(a))))
         })?;
@@ -208,7 +210,7 @@ impl<'k> Builder<'k> {
     }
 
     fn add(&mut self, name: &str, clause: Clause) -> Result<()> {
-        if self.told && !clause.says_nothing() {
+        if self.told && !clause.is_vacuous() {
             self.words.push(clause.to_string());
         }
         self.kernel.add(name, clause)
@@ -406,7 +408,7 @@ impl<'k> Builder<'k> {
                 .map(|t| fmu_tick(&local, machines(row, t, [&own, &prec, &foll])[at].clone()));
             let counted = [n, n - 1].map(|t| tick(&p, global(row, t)).timesteps);
             let agree = moved.iter().zip(counted).all(|(m, c)| m.timesteps == c && m.st.id == at);
-            need!(agree, "system", "counters or identifiers differ");
+            need(agree, "system", || "counters or identifiers differ")?;
             Ok(mixed(&share, moved.map(|m| m.st.own)))
         })?;
         let after = field("own", var("k") + &int(1));

@@ -26,17 +26,19 @@ fn rows(
 ) -> Result<bool> {
     let count = drones as usize;
     let few = (3..=MAX_DRONES).contains(&count);
-    need!(few, rule, "{drones} drones: expected 3 to {MAX_DRONES}");
-    need!(w.len() == count - 2, rule, "vector of {} entries: expected {}", w.len(), count - 2);
+    need(few, rule, || format!("{drones} drones: expected 3 to {MAX_DRONES}"))?;
+    need(w.len() == count - 2, rule, || {
+        format!("vector of {} entries: expected {}", w.len(), count - 2)
+    })?;
     for (i, entry) in w.iter().enumerate() {
-        need!(entry.is_positive(), rule, "entry {i} of the vector is not above 0");
+        need(entry.is_positive(), rule, || format!("entry {i} of the vector is not above 0"))?;
     }
     let last = Poly::from_index(count - 1);
     let params =
         Params { min: Poly::default(), max: last.clone(), eps: Poly::constant(eps.clone()), n: 0 };
     let after = |drones: Vec<Poly>| step(&params, &State { drones, timesteps: 0 }).drones;
     let targets: Vec<Poly> = (0..count).map(Poly::from_index).collect();
-    need!(after(targets.clone()) == targets, rule, "the targets are not a fixed point");
+    need(after(targets.clone()) == targets, rule, || "the targets are not a fixed point")?;
     let name = |i: usize| Atom::App("x".into(), vec![Poly::from_index(i)]);
     let mut symbols: Vec<Poly> = (0..count).map(|i| Poly::atom(name(i))).collect();
     (symbols[0], symbols[count - 1]) = (Poly::default(), last);
@@ -61,12 +63,12 @@ fn rows(
 /// that rate in every step, from every start.
 pub fn contraction(c: &Contraction, step: Step) -> Result<String> {
     const RULE: &str = "contraction";
+    let falls = (Number::whole(0)..Number::whole(1)).contains(&c.rate);
+    need(falls, RULE, || "the rate is not in [0, 1)")?;
     rows(RULE, (c.drones, &c.eps, &c.vector), step, |i, sum, w| {
-        need!(sum <= c.rate.clone() * w, RULE, "drone {i}: |A| w exceeds rate * w");
+        need(sum <= c.rate.clone() * w, RULE, || format!("drone {i}: |A| w exceeds rate * w"))?;
         Ok(())
     })?;
-    let falls = (Number::whole(0)..Number::whole(1)).contains(&c.rate);
-    need!(falls, RULE, "the rate is not in [0, 1)");
     Ok(format!(
         "N = {}, eps = {}: from every start all drones converge to their targets",
         c.drones, c.eps
@@ -78,10 +80,10 @@ pub fn contraction(c: &Contraction, step: Step) -> Result<String> {
 pub fn growth(c: &Growth, step: Step) -> Result<String> {
     const RULE: &str = "growth";
     let signs = rows(RULE, (c.drones, &c.eps, &c.vector), step, |i, sum, w| {
-        need!(sum >= *w, RULE, "drone {i}: |A| w is below w");
+        need(sum >= *w, RULE, || format!("drone {i}: |A| w is below w"))?;
         Ok(())
     })?;
     // True of every weight here; it would not be of another protocol.
-    need!(signs, RULE, "the signs of A allow cancellation");
+    need(signs, RULE, || "the signs of A allow cancellation")?;
     Ok(format!("N = {}, eps = {}: from some start the drones do not converge", c.drones, c.eps))
 }

@@ -60,7 +60,8 @@ pub fn prove(
             if text {
                 writeln!(out, "{}", headline(&system))?;
             }
-            let (ended, found) = refuted_claims(&args, &system, &Search::default(), text, out)?;
+            let search = search(&args, folder);
+            let (ended, found) = refuted_claims(&args, &system, &search, text, out)?;
             page.insert("claims", found);
             if !text {
                 writeln!(out, "{:#}", json!(page))?;
@@ -97,8 +98,8 @@ pub fn prove(
                 );
             }
             (found, certificate) => {
-                let (ended, mut searched) =
-                    refuted_claims(args, system, &Search::default(), text, out)?;
+                let search = search(args, folder);
+                let (ended, mut searched) = refuted_claims(args, system, &search, text, out)?;
                 if ended == Outcome::Inconclusive {
                     let beyond = certificate.and_then(std::result::Result::err);
                     let reason = beyond.or_else(|| found.err().map(|end| end.to_string()));
@@ -264,6 +265,17 @@ fn convergence(
     Ok((outcome, page))
 }
 
+/// What is searched for a counterexample where no proof was found.
+fn search(args: &ProtocolArgs, folder: Option<&Path>) -> Search {
+    let file = folder.map(|folder| folder.join(format!("{}-refuted.json", stem(args))));
+    Search { file, ..Search::default() }
+}
+
+/// What certificates about a protocol file are named after.
+fn stem(args: &ProtocolArgs) -> String {
+    args.path().file_stem().map_or_else(|| "own".into(), |s| s.to_string_lossy().into_owned())
+}
+
 fn written(
     args: &ProtocolArgs,
     folder: Option<&Path>,
@@ -271,8 +283,7 @@ fn written(
     certificate: &Value,
 ) -> Result<Option<String>> {
     let Some(folder) = folder else { return Ok(None) };
-    let stem = args.path().file_stem().map_or_else(|| "own".into(), |s| s.to_string_lossy());
-    let path = certificate::write(folder, &format!("{stem}{what}"), certificate)?;
+    let path = certificate::write(folder, &format!("{}{what}", stem(args)), certificate)?;
     Ok(Some(path.display().to_string()))
 }
 

@@ -1,6 +1,7 @@
 //! Counterexamples to the claims of a protocol file.
 
 use std::io::Write;
+use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
@@ -11,6 +12,8 @@ use cordon_core::exact::fraction;
 use cordon_core::system::{Parameter, ParameterKind, System};
 use cordon_core::table::lines;
 use cordon_core::{Error, Evidence, Outcome, Rational, Result};
+use cordon_proof::certificate;
+use cordon_proof::claims::certificate::counterexample as sealed;
 use cordon_proof::claims::{self, MOST_COMBINATIONS, Run};
 use cordon_proof::counterexample::list;
 
@@ -23,19 +26,22 @@ pub struct Search {
     pub steps: usize,
     /// Only the run from this start.
     pub start: Option<Vec<Rational>>,
+    /// File for what is found, as a certificate.
+    pub file: Option<PathBuf>,
 }
 
 impl Default for Search {
     /// What follows where no proof is found: constants with small denominators, some steps.
     fn default() -> Self {
-        Self { denominators: 8, steps: 8, start: None }
+        Self { denominators: 8, steps: 8, start: None, file: None }
     }
 }
 
 /// Searches for a counterexample to the claims of a protocol file.
 ///
 /// # Errors
-/// The start is wrong, or there is too much to search.
+/// The start is wrong, or there is too much to search. The certificate cannot be written, or is beyond the
+/// checker's limits.
 pub fn refute(
     args: &ProtocolArgs,
     system: &System,
@@ -89,15 +95,23 @@ pub fn refuted_claims(
     let constants = constants_of(system, search.denominators)?;
     let start = search.start.as_deref().map(|x| assumed(system, x)).transpose()?;
     let (found, complete) = claims::refute(system, &constants, start.as_deref(), search.steps);
+    let file = match (&found, &search.file) {
+        (Some(run), Some(file)) => Some(written(system, run, file)?),
+        _ => None,
+    };
     if text {
         match &found {
             Some(run) => refuted(args, system, run, out)?,
             None => not_refuted(system, search, &constants, complete, out)?,
         }
+        if let Some(file) = &file {
+            writeln!(out, "  wrote {file}")?;
+        }
     }
     let page = json!({
         "proved": if found.is_some() { json!(false) } else { Value::Null },
         "counterexample": found.as_ref().map(|run| as_json(args, system, run)),
+        "file": file,
         "searched": {
             "constants": constants.len(),
             "steps": complete,
@@ -105,6 +119,14 @@ pub fn refuted_claims(
         },
     });
     Ok((if found.is_some() { Outcome::Refuted } else { Outcome::Inconclusive }, page))
+}
+
+/// Writes the certificate of a run that the checker has judged.
+fn written(system: &System, run: &Run, file: &Path) -> Result<String> {
+    let certificate = sealed(system, run)
+        .ok_or_else(|| Error::internal("a counterexample without a certificate"))?;
+    certificate::judged(&certificate)?;
+    certificate::write_file(file, &certificate)
 }
 
 fn refuted(args: &ProtocolArgs, system: &System, run: &Run, out: &mut dyn Write) -> Result<()> {

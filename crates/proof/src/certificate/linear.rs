@@ -1,4 +1,4 @@
-//! Certificates about a linear system: what the kinds `invariance` and `quadratic` hold.
+//! Certificates about a linear system: what the kinds `invariance`, `quadratic` and `counterexample` hold.
 //!
 //! Forms are text in the checker's own syntax: sums and products of numbers (`3/4`), names and brackets.
 //! Nothing is computed here: that the multipliers fit, the checker says.
@@ -99,6 +99,44 @@ pub struct Quadratic {
     /// In its place a state from which they do not: A'PA - P >= 0 and y'Py > 0 there; no ranges.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start: Option<Vec<String>>,
+}
+
+/// A run that ends where a claim fails.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Counterexample {
+    /// What runs.
+    pub system: LinearSystem,
+    /// Literals that the start is assumed to meet.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub assumptions: Vec<String>,
+    /// The start, a number a variable.
+    pub start: Vec<String>,
+    /// Values of the parameters that are the same in all steps.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub with: BTreeMap<String, String>,
+    /// What acts, step by step.
+    pub steps: Vec<Move>,
+    /// The literal that fails after the last step.
+    pub claim: String,
+}
+
+/// One step of a run.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Move {
+    /// The mode.
+    pub by: String,
+    /// The values of the other parameters in it.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub with: BTreeMap<String, String>,
+}
+
+impl Counterexample {
+    /// The certificate.
+    pub fn certificate(&self) -> Value {
+        sealed("counterexample", json!(self))
+    }
 }
 
 impl Invariance {

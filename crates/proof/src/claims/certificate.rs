@@ -1,16 +1,20 @@
-//! The certificate of a proof: base case, steps, and that the claims follow, for the checker.
+//! The certificate of a proof: base case, steps, and that the claims follow, for the checker; and of a
+//! counterexample: start, choices, and the claim that fails.
 
 use std::collections::BTreeMap;
 
 use serde_json::Value;
 
 use super::automaton::Automaton;
+use super::refute::Run;
 use super::search::Proof;
-use crate::certificate::linear::{Edge, Invariance, LinearSystem, Multipliers, NodeClaim, form};
+use crate::certificate::linear::{
+    Counterexample, Edge, Invariance, LinearSystem, Move, Multipliers, NodeClaim, form,
+};
 use cordon_core::Rational;
 use cordon_core::exact::fraction;
 use cordon_core::linear::feasible::{Constraint, Sign};
-use cordon_core::system::{System, inequalities};
+use cordon_core::system::{ParameterKind, System, inequalities};
 
 /// The name of the node that holds what is assumed.
 const START: &str = "start";
@@ -103,4 +107,28 @@ pub fn certificate(system: &System, proof: &Proof) -> Option<Value> {
     }
     let start = START.to_owned();
     Some(Invariance { system: linear_system(system), nodes, start, edges, claims }.certificate())
+}
+
+/// The certificate of a counterexample.
+pub fn counterexample(system: &System, run: &Run) -> Option<Value> {
+    let named = |values: &[Rational], constant: bool| -> BTreeMap<String, String> {
+        let all = system.parameters.iter().zip(values);
+        let some = all.filter(|(p, _)| (p.kind == ParameterKind::Constant) == constant);
+        some.map(|(p, value)| (p.name.clone(), fraction(value))).collect()
+    };
+    let starts = system.start_constraints();
+    let mut steps = Vec::new();
+    for choice in &run.choices {
+        let by = system.modes.get(choice.mode)?.name.clone();
+        steps.push(Move { by, with: named(&choice.values, false) });
+    }
+    let found = Counterexample {
+        system: linear_system(system),
+        assumptions: starts.iter().map(|c| literal(system, c)).collect::<Option<Vec<_>>>()?,
+        start: run.states.first()?.iter().map(fraction).collect(),
+        with: named(&run.values, true),
+        steps,
+        claim: literal(system, &system.claims.get(run.claim)?.predicate.is)?,
+    };
+    Some(found.certificate())
 }

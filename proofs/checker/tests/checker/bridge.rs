@@ -39,6 +39,23 @@ fn goal(kernel: &Kernel, name: &str, values: &[(&str, usize)]) -> Poly {
     kernel.lemma(name).unwrap_or_else(|| panic!("{name}")).goal.poly.substitute(&value)
 }
 
+/// For one N the words leave out what is no condition for it.
+#[test]
+fn words_for_one_number_of_drones_are_of_that_number() {
+    let said = |drones: u32| {
+        let of = json!({ "theorem": "7.2", "form": "sharp" });
+        let system = json!({ "protocol": "coverage", "steps": "full", "weights": { "of": of }, "drones": drones });
+        refill();
+        let system: System = serde_json::from_value(system).unwrap();
+        install(&system, &mut Kernel::default(), exec_coverage).unwrap()
+    };
+    let words = |drones: u32, given: &str| {
+        format!("coverage with full steps, N = {drones}, last = N - 1\n  given: max > min; {given}")
+    };
+    assert_eq!(said(3), words(3, "eps >= 0; 1 >= eps"));
+    assert_eq!(said(4), words(4, "eps >= 0; 1 >= eps; 1 >= 2*eps"));
+}
+
 fn class(count: usize, i: usize) -> &'static str {
     match i {
         0 => "first",

@@ -1,5 +1,6 @@
 //! Hostile files are refused, or judged within the work allowed a file: it is work that is counted
-//! here, and no time. Each file is the most expensive of its kind that was found.
+//! here, and no time. Each file is the most expensive of its kind that was found. In debug builds too: there exact
+//! arithmetic and the checker are optimised (`Cargo.toml`), with all their assertions.
 
 use cordon_check::format::MAX_BYTES;
 use cordon_check::number::{MAX_WORK, done};
@@ -59,6 +60,15 @@ fn refused_before_anything_is_computed() {
         assert_eq!(check(&text).label(), "unreadable", "{what}");
         assert!(done() < 10_000, "{what}: {}", done());
     }
+}
+
+#[test]
+fn a_file_may_have_four_mebibytes() {
+    let growth = sealed("growth", json!({ "drones": 3, "eps": "1", "vector": ["1"] }));
+    let padded = |length: usize| format!("{growth:length$}");
+    assert_eq!(check(&padded(MAX_BYTES)).label(), "valid");
+    let verdict = check(&padded(MAX_BYTES + 1)).to_string();
+    assert!(verdict.contains("at most 4194304 are read"), "{verdict}");
 }
 
 #[test]
@@ -186,6 +196,50 @@ fn large_systems_are_judged_or_given_up() {
     };
     assert!(matches!(check(&quadratic(8)), Verdict::Invalid { rule: "quadratic", .. }));
     overworked("two hundred readouts", &quadratic(200));
+}
+
+/// Where runs are spoken of along edges each line of the verdict names them all.
+#[test]
+fn long_verdicts_are_given_up() {
+    let page = |length: usize| {
+        let name = |n: usize| format!("n{n}");
+        let edge = |n: usize| json!({ "from": name(n), "by": "step", "to": name(n + 1), "multipliers": [] });
+        let claim =
+            |n: usize| json!({ "at": name(n), "holds": format!("{n} >= 0"), "multipliers": {} });
+        let nodes: Value = (0..=length).map(|n| (name(n), json!([]))).collect();
+        let body = json!({
+            "system": { "state": ["x"], "modes": { "step": {} } }, "nodes": nodes, "start": "n0",
+            "edges": (0..length).map(edge).collect::<Vec<_>>(), "claims": (1..=length).map(claim).collect::<Vec<_>>(),
+        });
+        sealed("invariance", body)
+    };
+    assert_eq!(check(&page(100)).label(), "valid");
+    overworked("lines of edges", &page(1_000));
+}
+
+#[test]
+fn long_counterexamples_are_judged_or_given_up() {
+    let run = |rows: Value, steps: usize| {
+        let names: Vec<String> = rows.as_object().unwrap().keys().cloned().collect();
+        let system = json!({ "state": names, "modes": { "m": rows } });
+        sealed(
+            "counterexample",
+            json!({
+                "system": system, "start": vec!["1"; names.len()], "claim": format!("{} < 0", names[0]),
+                "steps": vec![json!({ "by": "m" }); steps],
+            }),
+        )
+    };
+    // Numbers that become longer, many rows, and steps that do nothing.
+    let longer = |steps| run(json!({ "x": "3/7*x + 1/11*y", "y": "5/13*x - 1/3*y" }), steps);
+    assert_eq!(check(&longer(100)).label(), "valid");
+    assert!(done() > 100_000, "{}", done());
+    overworked("numbers that grow", &longer(20_000));
+    let names: Vec<String> = (0..10_000).map(|n| format!("x{n}")).collect();
+    let still = |row: &str| names.iter().map(|n| (n.clone(), json!(row))).collect::<Value>();
+    overworked("rows", &run(still("0"), 20_000));
+    let idle = json!({ "system": { "state": names, "modes": { "m": {} } }, "start": vec!["1"; 10_000], "claim": "x0 < 0", "steps": vec![json!({ "by": "m" }); 100_000] });
+    assert_eq!(check(&sealed("counterexample", idle)).label(), "valid");
 }
 
 #[test]

@@ -362,7 +362,7 @@ fn modes_have_forms_of_their_own() {
     // Every word of modes as long as that ends within, from every corner of the box.
     let maps: Vec<_> = system.modes.iter().map(|m| m.at(&[])).collect();
     let mut largest = q("0");
-    let mut states: Vec<Vec<cordon_core::Rational>> =
+    let mut states: Vec<Vec<Rational>> =
         [["1", "1"], ["1", "-1"]].map(|x| x.map(q).to_vec()).to_vec();
     for _ in 0..step.min(14) {
         states = states.iter().flat_map(|x| maps.iter().map(|m| m.apply(x))).collect();

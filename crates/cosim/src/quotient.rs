@@ -133,7 +133,10 @@ fn combined(
     }
     let times = |num: &BigInt, factor: BigUint| num * BigInt::from(factor);
     let (small, large) = if a.den < b.den { (a, b) } else { (b, a) };
-    let (factor, rest) = large.den.div_rem(&small.den);
+    let (factor, rest) = match small.den.is_one() {
+        true => (BigUint::clone(&large.den), BigUint::default()),
+        false => large.den.div_rem(&small.den),
+    };
     if rest == BigUint::default() {
         let (x, y) = if a.den < b.den {
             (times(&a.num, factor), b.num.clone())
@@ -156,6 +159,13 @@ thread_local! {
     /// Two denominators and their product, as last asked for: the units of a swarm ask for the
     /// same one after another.
     static LAST: RefCell<Option<[Arc<BigUint>; 3]>> = const { RefCell::new(None) };
+
+    /// 0, 1 and 2, which every update asks for.
+    static SMALL: [Quotient; 3] = [0, 1, 2].map(whole);
+}
+
+fn whole(n: i32) -> Quotient {
+    Quotient::new(n.into(), Arc::new(BigUint::one()))
 }
 
 fn product_of_denominators(a: &Arc<BigUint>, b: &Arc<BigUint>) -> Arc<BigUint> {
@@ -217,7 +227,8 @@ ring_operators!(
 
 impl Scalar for Quotient {
     fn from_int(n: i32) -> Self {
-        Self::new(n.into(), Arc::new(BigUint::one()))
+        let small = usize::try_from(n).ok();
+        SMALL.with(|known| small.and_then(|n| known.get(n)).cloned()).unwrap_or_else(|| whole(n))
     }
 }
 

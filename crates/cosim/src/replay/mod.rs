@@ -81,7 +81,11 @@ fn data(record: &Record) -> Value {
         }),
         "reach": Body::default().touching(),
         "height": record.height.as_ref().map(|height| {
-            json!({ "desired": height.desired, "actual": positions(&height.actual) })
+            let actual = positions(&height.actual).into_iter().map(|row| match row.as_slice() {
+                [first, rest @ ..] if rest.iter().all(|z| z == first) => json!(first),
+                _ => json!(row),
+            });
+            json!({ "desired": height.desired, "actual": actual.collect::<Vec<_>>() })
         }),
         "events": events,
     })
@@ -142,4 +146,50 @@ fn escaped(text: &str) -> String {
         .replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::STYLE;
+
+    /// Relative luminance of a colour `#rrggbb` (WCAG 2.2).
+    fn luminance(colour: &str) -> f64 {
+        let channel = |at: usize| {
+            let c = f64::from(u8::from_str_radix(&colour[at..at + 2], 16).unwrap()) / 255.0;
+            if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+        };
+        0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
+    }
+
+    fn contrast(a: &str, b: &str) -> f64 {
+        let (a, b) = (luminance(a), luminance(b));
+        (a.max(b) + 0.05) / (a.min(b) + 0.05)
+    }
+
+    /// Texts stand out by 4.5 and lines by 3, light and dark, as WCAG asks.
+    #[test]
+    fn colours_stand_out() {
+        let mut compared = 0;
+        for theme in STYLE.split("--paper:").skip(1) {
+            let theme = format!("--paper:{}", theme.split('}').next().unwrap());
+            let colour = |name: &str| {
+                let from = theme.find(&format!("--{name}:")).unwrap();
+                theme[from..].split(['#', ';']).nth(1).map(|c| format!("#{c}")).unwrap()
+            };
+            let ground = [colour("paper"), colour("panel")];
+            let gaps = (0..7).map(|i| format!("gap-{i}"));
+            let texts = ["ink", "soft", "goal", "wrong", "drone"].map(str::to_owned);
+            for (least, names) in [(4.5, texts.to_vec()), (3.0, gaps.collect())] {
+                for (name, ground) in names.iter().flat_map(|n| ground.iter().map(move |g| (n, g)))
+                {
+                    let found = contrast(&colour(name), ground);
+                    assert!(found >= least, "{name} on {ground}: {found:.2}");
+                    compared += 1;
+                }
+            }
+        }
+        // Light, dark by the system, dark by hand.
+        assert_eq!(compared, 3 * 24);
+    }
 }

@@ -1,8 +1,10 @@
 "use strict";
 (() => {
   const run = JSON.parse(document.getElementById("run").textContent);
-  const plane = run.across, height = run.height;
-  const times = run.time, N = run.drones, last = times.length - 1, end = times[last];
+  const times = run.time, N = run.drones, plane = run.across;
+  // A swarm that takes off together has one number a sample.
+  const height = run.height && { desired: run.height.desired, actual: run.height.actual.map((z) => [z].flat()) };
+  const last = times.length - 1, end = times[last];
   const $ = (id) => document.getElementById(id);
   const motionless = matchMedia("(prefers-reduced-motion: reduce)").matches;
   const words = { "collision": "collide", "order-lost": "lose their order", "order-restored": "are in order again" };
@@ -186,12 +188,12 @@
       g.beginPath(); g.moveTo(px(x.actual[i]), pv(v.actual[i])); g.lineTo(a, b); g.stroke();
       g.globalAlpha = 1;
     }
-    for (let i = 0; i < N; i++) {
-      if (inside(x.actual[i], v.actual[i], i)) disc(g, px(x.actual[i]), pv(v.actual[i]), i, wrong.has(i) ? "wrong" : "drone");
-    }
-    // Above the drones, around those that are there.
+    // Under the drones, and so large as to be seen around one that is there.
     for (let i = 0; i < N; i++) {
       if (inside(x.desired[i], v.desired[i], i)) diamond(g, px(x.desired[i]), pv(v.desired[i]), labelled ? 17 : 6);
+    }
+    for (let i = 0; i < N; i++) {
+      if (inside(x.actual[i], v.actual[i], i)) disc(g, px(x.actual[i]), pv(v.actual[i]), i, wrong.has(i) ? "wrong" : "drone");
     }
     g.restore();
     return beyond;
@@ -216,7 +218,8 @@
   }
   const heights = height && range(height.actual, [0, height.desired]);
   function drawSide({ actual, wrong }) {
-    const z = { actual: between(height.actual, state.t), desired: Array(N).fill(height.desired) };
+    const now = between(height.actual, state.t), each = (z) => Array(N).fill(z);
+    const z = { actual: now.length === N ? now : each(now[0]), desired: each(height.desired) };
     const across = plane ? extent.across : alongX(actual);
     const beyond = scatter($("side"), { actual, desired: run.desired[index(state.t)] }, z, { across, up: heights, wrong });
     return { least: Math.min(...z.actual), most: Math.max(...z.actual), beyond };
@@ -286,7 +289,7 @@
     // Lines that leave the scale are cut there, and the text below says so.
     g.save();
     g.beginPath(); g.rect(f.left, f.top, f.right - f.left, f.bottom - f.top); g.clip();
-    g.lineWidth = few ? 1.8 : 1; g.globalAlpha = few || labelled ? 1 : 0.25;
+    g.lineWidth = few ? 1.8 : 1; g.globalAlpha = few || labelled ? 1 : N <= 100 ? 0.6 : 0.25;
     curves.forEach(({ values }, i) => {
       g.strokeStyle = gapColour(i);
       g.setLineDash(few ? DASHES[i % DASHES.length] : []);
@@ -368,6 +371,7 @@
     $("status").textContent = `t = ${state.t.toFixed(2)} s of ${end.toFixed(2)} s; smallest ${plane ? "distance" : "gap"} ${least.toFixed(3)} m (drones ${pair[0]} and ${pair[1]}); ${order}${high}; collisions so far: ${collisions}${outside(beyond)}`;
     $("status").className = wrong.size ? "wrong" : "";
     $("time").value = state.t;
+    $("time").setAttribute("aria-valuetext", `${state.t.toFixed(2)} s`);
     document.querySelectorAll("#events li").forEach((li) => { li.className = Number(li.dataset.time) <= state.t ? "past" : ""; });
   }
   function outside(beyond) {
@@ -385,7 +389,6 @@
     if (on && state.t >= end) state.t = 0;
     state.playing = on;
     $("play").textContent = on ? "Pause" : "Play";
-    $("play").setAttribute("aria-pressed", on);
     if (on) { before = performance.now(); setTimeout(advance, FRAME); }
   }
   // A timer instead of animation frames: it also runs where nothing is shown.

@@ -5,9 +5,11 @@ The work: exact positions after k protocol steps, eps = 1/5, drone i of N at 40i
 last at 100. CPU seconds of the computation alone, the best of several runs (one, where a run
 takes seconds); the second table has whole processes by the clock, start-up and output included."""
 import os
+import resource
 import shutil
 import subprocess
 import sys
+import tempfile
 import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -143,6 +145,56 @@ def whole_processes():
         print(f"| {name} | {fastest * 1e3:.1f} |")
 
 
+def cpu_seconds(command):
+    """User and system time of a whole process; the least of three runs."""
+    def spent():
+        usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return usage.ru_utime + usage.ru_stime
+
+    found = []
+    for _ in range(3):
+        before = spent()
+        subprocess.run(command, stdout=subprocess.DEVNULL, check=True)
+        found.append(spent() - before)
+    return min(found)
+
+
+def co_simulation(n=1000, seconds=100):
+    """A swarm flown, its run written as CSV: Cordon, whose positions are exact and whose collisions
+    are found between samples, beside a plain loop over doubles that only computes."""
+    swarm = os.path.join(BUILD, "swarm")
+    if not installed([swarm]):
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        scenario, ours, theirs = (os.path.join(folder, name) for name in ("s.toml", "ours.csv", "theirs.csv"))
+        with open(scenario, "w") as file:
+            start = ", ".join(f'"{40 * i}/{n - 1}"' for i in range(n - 1))
+            file.write(f"start = [{start}, 100]\nmin = 0\nmax = 100\nweight = 0.2\nperiod = 4\ntau = 0.05\n")
+        cosim = [os.path.join(BUILD, "cordon"), "cosim", scenario, "--duration", str(seconds)]
+        rows = [
+            ("`cordon cosim`, CSV", cpu_seconds(cosim + ["--out", ours])),
+            ("`cordon cosim`, summary alone", cpu_seconds(cosim)),
+            ("plain C loop, CSV by `printf`", cpu_seconds([swarm, str(n), str(seconds), theirs])),
+            ("plain C loop, last row alone", cpu_seconds([swarm, str(n), str(seconds)])),
+        ]
+        last = []
+        for path in (ours, theirs):
+            with open(path) as file:
+                last.append([float(x) for x in file.readlines()[-1].split(",")])
+    if len(last[0]) != len(last[1]) or any(abs(a - b) > 1e-9 for a, b in zip(*last)):
+        sys.exit("co-simulation: the last rows differ by more than 1e-9 m")
+    print(f"\n| {n:,} drones flown for {seconds} s, CPU seconds of the process | seconds | to the C loop with CSV |")
+    print("|---|---|---|")
+    for name, spent in rows:
+        print(f"| {name} | {spent:.2f} | {spent / rows[2][1]:.2g} |")
+
+
 if __name__ == "__main__":
-    multiplication(exact_table())
-    whole_processes()
+    # All tables, or those that are named.
+    named = sys.argv[2:] or ["exact", "processes", "co-simulation"]
+    if "exact" in named:
+        multiplication(exact_table())
+    if "processes" in named:
+        whole_processes()
+    if "co-simulation" in named:
+        co_simulation()

@@ -4,7 +4,7 @@
 #
 # Peers: Python 3 (also runs the comparison), FLINT and GMP (Debian: libflint-dev, libgmp-dev),
 # SBCL. Set PEERS_LIMIT for another time limit of a run than 60 s, GMP=no to leave out the
-# feature `gmp` (which builds GMP from source).
+# feature `gmp` (which builds GMP from source). Arguments name tables: exact, processes, co-simulation.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
@@ -32,5 +32,6 @@ compile() { # name, libraries
 }
 compile flint "-lflint -lgmp -lm"
 compile multiply "-lgmp"
+compile swarm "-lm"
 command -v sbcl >/dev/null || say "without SBCL: not installed"
-exec python3 "$here/run.py" "$build"
+exec python3 "$here/run.py" "$build" "$@"

@@ -62,7 +62,7 @@ pub enum Command {
     Cosim(Box<cosim::Args>),
     /// Certify how close two drones ever come in flight, between the samples too
     Separation(Box<separation::Args>),
-    /// Draw the paper's figures 8 to 12, 15 and 16 from runs made now
+    /// Draw the paper's figures 8 to 16 from runs made now
     Figures(figures::Args),
     /// Write a run as one HTML page to look at: play, pause, scrub, collisions marked
     Replay(Box<replay::Args>),

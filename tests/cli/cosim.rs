@@ -95,6 +95,107 @@ fn a_replayed_file_and_a_replayed_scenario_are_the_same_page() {
     assert!(err.contains("expected schema cordon-cosim-companion/1"), "{err}");
 }
 
+/// Any numbers of the units, by patterns: in every form with their units, and read back.
+#[test]
+fn variables_are_recorded_by_name() {
+    let (folder, csv) = in_folder("run.csv");
+    let json = folder.path().join("run.json").display().to_string();
+    let flags = ["cosim", "scenarios/paper.toml", "--duration", "1"];
+    let wanted = ["--variables", "*.w1,plant?.z,coordination3.weight"];
+    let call = |more: &[&str]| run(&[&flags[..], &wanted[..], more].concat());
+    assert_eq!(call(&["--out", &csv]).0, 0);
+    assert_eq!(call(&["--out", &json]).0, 0);
+    let text = fs::read_to_string(&csv).unwrap();
+    let head: Vec<&str> = text.lines().next().unwrap().split(',').collect();
+    // Beside time and positions: w1 of controllers and plants, z of plants, a weight.
+    assert_eq!(head.len(), 1 + 10 + 10 + 5 + 1);
+    assert_eq!(head[11..14], ["control0.w1 [rad/s]", "plant0.w1 [rad/s]", "plant0.z [m]"]);
+    assert!(head.contains(&"coordination3.weight [1]"), "{head:?}");
+    let page: Value = serde_json::from_str(&fs::read_to_string(&json).unwrap()).unwrap();
+    let column = |name: &str| {
+        let place = head.iter().position(|h| h.starts_with(name)).unwrap();
+        let cell = |l: &str| l.split(',').nth(place).unwrap().parse::<f64>().unwrap();
+        text.lines().skip(1).map(cell).collect::<Vec<_>>()
+    };
+    let mut compared = 0;
+    for variable in page["variables"].as_array().unwrap() {
+        let values = variable["values"].as_array().unwrap().iter();
+        let values: Vec<f64> = values.map(|x| x.as_f64().unwrap()).collect();
+        let name = format!("{} ", variable["name"].as_str().unwrap());
+        assert_eq!(column(&name), values, "{name}");
+        compared += 1;
+    }
+    assert_eq!(compared, 16);
+    // The take-off: the plants' height is what the companion has, and rotors lead.
+    assert!(column("plant0.z ").windows(2).all(|z| z[0] <= z[1]));
+    assert_eq!(column("control0.w1 ")[0], 0.0);
+    assert!(column("control0.w1 ")[1] > 0.0);
+    assert_eq!(column("coordination3.weight")[7], 0.2);
+    // The same without them, column by column.
+    let (_, plain, _) = run(&[&flags[..], &["--format", "csv"]].concat());
+    let first: Vec<String> =
+        text.lines().map(|l| l.split(',').take(11).collect::<Vec<_>>().join(",")).collect();
+    assert_eq!(plain.lines().collect::<Vec<_>>(), first);
+    for run_file in [&csv, &json] {
+        let html = folder.path().join("page.html").display().to_string();
+        assert_eq!(run(&["replay", run_file, "--out", &html]).0, 0);
+    }
+    let (code, _, err) = run(&[&flags[..], &["--variables", "*.w1,*.speed"]].concat());
+    assert_eq!(code, 2);
+    assert!(err.contains("variables: `*.speed`: expected a pattern of names of numbers"), "{err}");
+}
+
+/// A protocol file with x and y, in every form: both axes, and the page with the plane.
+#[test]
+fn planar_runs_are_written_and_read_back() {
+    let (folder, csv) = in_folder("run.csv");
+    let json = folder.path().join("run.json").display().to_string();
+    let html = folder.path().join("page.html").display().to_string();
+    let start: Vec<String> = (0..16).map(|i| format!("{},{}", i % 4 * 10, i / 4 * 10)).collect();
+    let start = start.join(",");
+    let flags =
+        ["cosim", "--protocol", "scenarios/own/grid.toml", "--eps", "1/5", "--start", &start];
+    let rest = ["--period", "4", "--duration", "20", "--exact", "--out"];
+    let mut pages = Vec::new();
+    for out in [&csv, &json] {
+        let (code, said, err) = run(&[&flags[..], &rest[..], &[out]].concat());
+        assert_eq!((code, err.as_str()), (0, ""));
+        assert!(said.contains("(desired x_d and y_d, actual x and y, in m)"), "{said}");
+        assert!(said.contains("smallest distance ") && !said.contains("order"), "{said}");
+        assert!(said.contains("largest difference from the run in exact arithmetic"), "{said}");
+        assert_eq!(run(&["replay", out, "--out", &html]).0, 0);
+        pages.push(fs::read_to_string(&html).unwrap());
+    }
+    assert_eq!(pages[0], pages[1]);
+    let text = fs::read_to_string(&csv).unwrap();
+    let head: Vec<&str> = text.lines().next().unwrap().split(',').collect();
+    assert_eq!((head.len(), head[33], head[49]), (65, "yd0", "y0"));
+    let cells: Vec<f64> =
+        text.lines().nth(401).unwrap().split(',').map(|x| x.parse().unwrap()).collect();
+    // All have come near the middle, in x as in y.
+    assert!(
+        cells[17..33].iter().chain(&cells[49..65]).all(|x| (x - 15.0).abs() < 8.0),
+        "{cells:?}"
+    );
+    crate::common::schema::meets(
+        "cordon-cosim/1",
+        &serde_json::from_str(&fs::read_to_string(&json).unwrap()).unwrap(),
+        "planar",
+    );
+    let companion = fs::read_to_string(format!("{csv}.json")).unwrap();
+    crate::common::schema::meets(
+        "cordon-cosim-companion/1",
+        &serde_json::from_str(&companion).unwrap(),
+        "planar",
+    );
+    let short = text.replace(",y15", "");
+    fs::write(&csv, short).unwrap();
+    fs::remove_file(format!("{csv}.json")).unwrap();
+    let (code, _, err) = run(&["replay", &csv, "--out", &html]);
+    assert_eq!(code, 2);
+    assert!(err.contains(":1: expected the columns time, xd0"), "{err}");
+}
+
 /// The summary says what flew: nothing claims a plant or an arithmetic that was another.
 #[test]
 fn the_recorded_arithmetic_is_named() {
@@ -260,28 +361,31 @@ fn figures_are_drawn_as_svg_and_png() {
     let (folder, path) = in_folder("figures");
     let (code, out, _) = run(&["figures", "--out", &path]);
     assert_eq!(code, 0);
-    assert_eq!(out.lines().count(), 7);
+    assert_eq!(out.lines().count(), 9);
     for (number, what) in [
         (8, "desired positions, coverage, eps = 0.2"),
         (9, "actual positions, coverage, eps = 0.2"),
         (10, "desired position of the central drone, coverage"),
         (11, "desired positions, coverage, eps = 0.7"),
         (12, "actual positions, coverage, eps = 0.7"),
+        (13, "the drones at the start, coverage, eps = 0.2"),
+        (14, "the drones at 9.65 s, coverage, eps = 0.2"),
         (15, "desired positions, consensus, eps = 0.3"),
         (16, "actual positions, consensus, eps = 0.3"),
     ] {
         let svg = fs::read_to_string(format!("{path}/fig{number:02}.svg")).unwrap();
         assert!(svg.contains(&format!("Fig. {number}: {what}")), "{number}");
-        assert!(svg.contains("time t [s]") && svg.contains("[m]") && svg.ends_with("</svg>\n"));
+        let across = if [13, 14].contains(&number) { "position x [m]" } else { "time t [s]" };
+        assert!(svg.contains(across) && svg.contains("[m]") && svg.ends_with("</svg>\n"));
         assert_eq!(svg.contains("drones 1 and 2 collide at 12.59 s"), number == 12);
     }
     let (code, out, _) = run(&["figures", "12,15", "--format", "png", "--out", &path]);
     assert_eq!((code, out.lines().count()), (0, 2));
     let png = fs::read(format!("{path}/fig12.png")).unwrap();
     assert!(png.starts_with(b"\x89PNG\r\n\x1a\n") && png.len() > 20_000);
-    assert_eq!(files_in(Path::new(&path)), 9);
-    let (code, _, err) = run(&["figures", "13", "--out", &path]);
+    assert_eq!(files_in(Path::new(&path)), 11);
+    let (code, _, err) = run(&["figures", "7", "--out", &path]);
     assert_eq!(code, 2);
-    assert!(err.contains("figure: `13` is unknown: expected some of 8, 9, 10"), "{err}");
+    assert!(err.contains("figure: `7` is unknown: expected some of 8, 9, 10"), "{err}");
     drop(folder);
 }

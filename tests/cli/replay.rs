@@ -131,21 +131,77 @@ fn the_page_is_moved_by_hand() {
     assert_eq!(time(scrub.to_owned()).0, 7.5);
     let (t, dom) = time("document.getElementById('play').click();".to_owned());
     assert!(t > 0.5, "it plays: {t}");
-    assert!(dom.contains("aria-pressed=\"true\""));
+    assert_eq!(text_of(&dom, "play"), "Pause");
     // On a button the space key is that button's, whichever it is.
     let on_button = "document.getElementById('theme').dispatchEvent(new KeyboardEvent('keydown', {key: ' ', bubbles: true}));";
     let (_, dom) = time(on_button.to_owned());
-    assert!(
-        dom.contains("aria-pressed=\"false\""),
-        "the space key on another button plays nothing"
-    );
+    assert_eq!(text_of(&dom, "play"), "Play", "the space key on another button plays nothing");
     let (t, dom) = time(key(" ", false) + &key(" ", false));
-    assert!(t < 0.2 && dom.contains("aria-pressed=\"false\""), "it pauses: {t}");
+    assert!(t < 0.2 && text_of(&dom, "play") == "Play", "it pauses: {t}");
     let quick = key("+", false) + &key("+", false) + &key("+", false);
     let (fast, _) = time(quick + "document.getElementById('play').click();");
     assert!(fast > t + 5.0, "ten times as fast: {fast}");
     let (_, dom) = time(key("d", false));
     assert!(dom.contains("data-theme=\"dark\"") || dom.contains("data-theme=\"light\""));
+}
+
+/// A planar run: the plane in place of the line, distances in place of gaps; and the take-off.
+#[test]
+fn the_page_shows_the_plane_and_the_height() {
+    let Some(browser) = browser() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let text = |path: &Path| path.display().to_string();
+    let (run_file, page) = (at("run.csv"), at("page.html"));
+    let start: Vec<String> = (0..16).map(|i| format!("{},{}", i % 4 * 10, i / 4 * 10)).collect();
+    let (start, out) = (start.join(","), text(&run_file));
+    let flags =
+        ["cosim", "--protocol", "scenarios/own/grid.toml", "--eps", "1/5", "--start", &start];
+    assert_eq!(run(&[&flags[..], &["--period", "4", "--out", &out]].concat()).0, 0);
+    assert_eq!(run(&["replay", &out, "--out", &text(&page)]).0, 0);
+    let dom = open(browser, &page, "t=6", &["--dump-dom"]);
+    let status = text_of(&dom, "status");
+    let expected = "t = 6.00 s of 25.00 s; smallest distance 4.360 m (drones 0 and 1); none touch; \
+                    height 0.70 m of 1.00 m; collisions so far: 0";
+    assert_eq!(status, expected);
+    for words in ["Distance of the nearest two over time</h2>", "Collisions</h2>", "> touching<"] {
+        assert!(dom.contains(words), "{words}");
+    }
+    assert!(!dom.contains("id=\"from-the-side\" aria-label=\"Drones from the side\" hidden"));
+    let dom = open(browser, &page, "t=25", &["--dump-dom"]);
+    let status = text_of(&dom, "status");
+    assert!(status.contains("; touching: drones 0, 1, 2, 3, 4, 5, 6, 7, .."), "{status}");
+    // Positions alone, without a companion: nothing is said of heights.
+    fs::remove_file(at("run.csv.json")).unwrap();
+    assert_eq!(run(&["replay", &out, "--out", &text(&page)]).0, 0);
+    let dom = open(browser, &page, "t=6", &["--dump-dom"]);
+    assert_eq!(text_of(&dom, "status"), expected.replace("height 0.70 m of 1.00 m; ", ""));
+}
+
+/// Every picture, control and list has a name; the slider says seconds; and at 400 px nothing is
+/// wider than the page.
+#[test]
+fn the_page_can_be_used_without_seeing_it() {
+    let Some(browser) = browser() else { return };
+    let (folder, page) = unstable_page();
+    let asked = "const named = (e) => e.getAttribute('aria-label') || e.textContent.trim() || e.closest('label');\
+        const all = [...document.querySelectorAll('canvas:not([aria-hidden]), button, select, input, section, output, ol, ul')];\
+        const unnamed = all.filter((e) => !named(e)).map((e) => e.outerHTML);\
+        const frame = document.createElement('p'); frame.id = 'found';\
+        document.body.append(frame);\
+        document.body.style.width = '400px';\
+        dispatchEvent(new Event('resize'));\
+        const wide = [...document.querySelectorAll('body *')].filter((e) => e.getBoundingClientRect().right > document.body.getBoundingClientRect().right + 1);\
+        frame.textContent = `${all.length} looked at; unnamed: ${unnamed.join()}; time: ${document.getElementById('time').getAttribute('aria-valuetext')}; wide: ${wide.map((e) => e.tagName).join()}.`;";
+    let html = fs::read_to_string(&page).unwrap();
+    let path = folder.path().join("asked.html");
+    let script = format!("<script>{asked}</script></body>");
+    fs::write(&path, html.replace("</body>", &script)).unwrap();
+    let dom = open(browser, &path, "t=3", &["--dump-dom"]);
+    let found = text_of(&dom, "found");
+    let (count, rest) = found.split_once(" looked at; ").unwrap();
+    assert!(count.parse::<usize>().unwrap() > 25, "{count}");
+    assert_eq!(rest, "unnamed: ; time: 3.00 s; wide: .");
 }
 
 /// At 25 s the run has broken loose: what leaves the pictures is said, not drawn at their edges.

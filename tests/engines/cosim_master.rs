@@ -98,7 +98,11 @@ fn outputs(wiring: Wiring, algorithm: Algorithm, steps: u64) -> Vec<Vec<f64>> {
     let mut rows = Vec::new();
     let mut master = Master::new(wiring, grid(steps), algorithm).unwrap();
     let observe = |m: &Master, step: u64| {
-        rows.push((0..count).map(|u| m.number(port(u, 1), step)).collect::<Result<_, _>>()?);
+        let mut row = vec![0.0; count];
+        for (u, x) in row.iter_mut().enumerate() {
+            m.numbers(u, &[1], std::slice::from_mut(x), step)?;
+        }
+        rows.push(row);
         Ok(())
     };
     master.run(observe).unwrap();

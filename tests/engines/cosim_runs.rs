@@ -49,8 +49,8 @@ fn recorded_runs_match_to_the_last_bit() {
         assert_eq!((ours.rows(), theirs.rows()), (rows, rows));
         for (name, ours, theirs) in [
             ("time", &ours.times, &theirs.times),
-            ("desired", &ours.desired, &theirs.desired),
-            ("actual", &ours.actual, &theirs.actual),
+            ("desired", &ours.x.desired, &theirs.x.desired),
+            ("actual", &ours.x.actual, &theirs.x.actual),
         ] {
             for (k, (a, b)) in ours.iter().zip(theirs).enumerate() {
                 assert_eq!(a.to_bits(), b.to_bits(), "{file}, {name} {k}: {a} against {b}");
@@ -67,7 +67,7 @@ fn recorded_runs_match_to_the_last_bit() {
 fn the_default_arithmetic_is_near_the_recorded_one_and_not_it() {
     let theirs = store::load("tests/data/recorded/run-c.csv".as_ref()).unwrap();
     let ours = flown(&swarm_of("scenarios/recorded.toml"));
-    let distances = ours.actual.iter().zip(&theirs.actual).map(|(a, b)| (a - b).abs());
+    let distances = ours.x.actual.iter().zip(&theirs.x.actual).map(|(a, b)| (a - b).abs());
     let largest = distances.fold(0.0, f64::max);
     assert!(largest > 1e-12 && largest < 1e-4, "{largest}");
 }
@@ -222,12 +222,13 @@ fn drones_that_update_in_an_order_hear_the_new_positions_of_those_before() {
             assert_eq!(record.desired_at(row), expected, "{text}, row {row}");
             compared += 1;
         }
-        assert_ne!(record.desired, at_once.desired, "{text}");
+        assert_ne!(record.x.desired, at_once.x.desired, "{text}");
         let seidel = flown(&paper(2, "coverage", flight(text, "gauss-seidel")));
-        assert_eq!(seidel.desired, record.desired, "{text}: whatever the master");
+        assert_eq!(seidel.x.desired, record.x.desired, "{text}: whatever the master");
         let recorded = flown(&swarm.as_recorded().unwrap());
         let distance = |(a, b): (&f64, &f64)| (a - b).abs();
-        let most = recorded.desired.iter().zip(&record.desired).map(distance).fold(0.0, f64::max);
+        let most =
+            recorded.x.desired.iter().zip(&record.x.desired).map(distance).fold(0.0, f64::max);
         assert!(most > 0.0 && most < 0.01, "six digits: {most}");
     }
     assert_eq!(compared, 3 * 81);
@@ -308,7 +309,7 @@ fn runs_are_the_same_on_one_and_two_threads() {
         pool.install(|| flown(&swarm))
     });
     let bits = |r: &Record| -> Vec<u64> {
-        r.desired.iter().chain(&r.actual).map(|x| x.to_bits()).collect()
+        r.x.desired.iter().chain(&r.x.actual).map(|x| x.to_bits()).collect()
     };
     assert_eq!(bits(&runs[0]).len(), 2 * 200 * 101);
     assert_eq!(bits(&runs[0]), bits(&runs[1]));

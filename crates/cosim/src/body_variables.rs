@@ -1,7 +1,59 @@
 //! The variables of a body that plant and control have in common.
 
 use super::physics::Body;
-use super::unit::{Causality, Dimension, Unit, UnitError, Value, Variable, at_variable};
+use super::unit::{
+    Causality, Dimension, Unit, UnitError, Value, Variable, at_variable, expect_real,
+    no_such_variable, not_settable,
+};
+
+/// A unit whose variables are doubles, each at a place, but for one.
+pub(super) trait Doubles: Unit + Sized {
+    /// The value of a variable.
+    fn double(&self, variable: usize) -> Option<f64>;
+
+    /// The place of a parameter or an input.
+    fn place_of(&mut self, variable: usize) -> Option<&mut f64>;
+
+    /// [`Unit::get`] of a double.
+    fn get_double(&self, variable: usize) -> Result<f64, UnitError> {
+        self.double(variable).ok_or_else(|| no_such_variable(self, variable))
+    }
+
+    /// [`Unit::set`] of a double.
+    fn set_double(&mut self, variable: usize, x: f64) -> Result<(), UnitError> {
+        if let Some(place) = self.place_of(variable) {
+            *place = x;
+            return Ok(());
+        }
+        Err(not_settable(self, variable))
+    }
+
+    /// [`Unit::set`] of what has to be a double.
+    fn set_value(&mut self, variable: usize, value: &Value) -> Result<(), UnitError> {
+        let x = expect_real(self, variable, value)?;
+        self.set_double(variable, x)
+    }
+}
+
+/// [`Unit::get_reals`] and [`Unit::set_reals`] of such a unit.
+macro_rules! doubles_at_once {
+    () => {
+        fn get_reals(&self, variables: &[usize], into: &mut [f64]) -> Result<(), UnitError> {
+            for (&variable, x) in variables.iter().zip(into) {
+                *x = self.get_double(variable)?;
+            }
+            Ok(())
+        }
+
+        fn set_reals(&mut self, variables: &[usize], values: &[f64]) -> Result<(), UnitError> {
+            for (&variable, &x) in variables.iter().zip(values) {
+                self.set_double(variable, x)?;
+            }
+            Ok(())
+        }
+    };
+}
+pub(super) use doubles_at_once;
 
 /// How many parameters a [`Body`] has.
 pub(super) const COUNT: usize = 9;

@@ -1,12 +1,13 @@
 //! Collisions and violations of the order, between the samples too.
 //!
 //! Within a step the plant's motion is known: a straight line with the Euler integrator, a
-//! polynomial of degree four with the exact one. The first zero of a gap is found on that
-//! motion, so that no meeting slips through between two grid points.
+//! polynomial of degree four with the exact one. The zeros of a gap, or in the plane those of a
+//! distance less that at which drones touch, are found on that motion, so that no meeting slips
+//! through between two grid points.
 
 mod bernstein;
 
-use self::bernstein::{Bernstein, DEGREE};
+use self::bernstein::{Bernstein, MOTION, SQUARE};
 use super::plant::Integrator;
 
 /// Something that happened to two drones.
@@ -23,7 +24,7 @@ pub struct Event {
 /// What can happen to two neighbouring drones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EventKind {
-    /// They are at the same place.
+    /// They are at the same place; in the plane, as near as to touch.
     Collision,
     /// From here on a drone is beyond its successor.
     OrderLost,
@@ -49,16 +50,16 @@ impl EventKind {
     }
 }
 
-/// A drone along x at a grid point, as far as its further motion depends on it.
+/// A drone along an axis at a grid point, as far as its further motion depends on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample {
     /// Position in m.
     pub x: f64,
     /// Velocity in m/s.
     pub v: f64,
-    /// Acceleration g theta in m/s2.
+    /// Acceleration in m/s2: along x it is g theta.
     pub a: f64,
-    /// Its rate of change, g omega, in m/s3.
+    /// Its rate of change in m/s3.
     pub jerk: f64,
 }
 
@@ -66,48 +67,67 @@ pub struct Sample {
 pub struct Watch {
     integrator: Integrator,
     tau: f64,
-    last: Vec<Sample>,
-    /// The motion of every drone in the step that is being looked at.
-    motion: Vec<Bernstein>,
+    /// The distance at which drones collide: 0 on a line, where none gets past another.
+    reach: f64,
+    /// Along each axis the samples of the last grid point.
+    last: Vec<Vec<Sample>>,
+    /// Along each axis the motion of every drone in the step that is being looked at.
+    motion: Vec<Vec<Bernstein<MOTION>>>,
+    /// Least and greatest place of every drone along x in this step.
+    ends: Vec<(f64, f64)>,
     /// Drones by the lower end of their motion; nearly sorted from step to step.
     by_place: Vec<usize>,
+    /// Pairs that may meet in this step.
+    close: Vec<(usize, usize)>,
     /// Whether drone i is beyond drone i+1.
     crossed: Vec<bool>,
     events: Vec<Event>,
-    started: bool,
 }
 
 impl Watch {
-    /// A watch over drones whose plants have this integrator and step.
+    /// A watch over drones on a line whose plants have this integrator and step. Two collide
+    /// where they are at the same place.
     pub fn new(integrator: Integrator, tau: f64) -> Self {
         Self {
             integrator,
             tau,
+            reach: 0.0,
             last: Vec::new(),
             motion: Vec::new(),
+            ends: Vec::new(),
             by_place: Vec::new(),
+            close: Vec::new(),
             crossed: Vec::new(),
             events: Vec::new(),
-            started: false,
         }
     }
 
-    /// The next grid point; `time` is that of the last one, where the motion begins.
-    pub fn next(&mut self, time: f64, samples: &[Sample]) {
-        if self.started {
-            self.motion.clear();
-            let pairs = self.last.iter().zip(samples);
-            self.motion.extend(pairs.map(|(a, b)| motion(self.integrator, self.tau, a, b)));
-            self.look(time);
-        } else {
-            self.started = true;
-            self.by_place = (0..samples.len()).collect();
-            self.crossed = vec![false; samples.len()];
-            self.motion = samples.iter().map(|s| Bernstein([s.x; DEGREE + 1])).collect();
-            self.start(samples);
+    /// A watch over drones in the plane, where points meet by no chance: two collide where their
+    /// distance falls to `reach`, in m. There is no order to lose.
+    pub fn in_plane(integrator: Integrator, tau: f64, reach: f64) -> Self {
+        Self { reach, ..Self::new(integrator, tau) }
+    }
+
+    /// The next grid point, along each axis the drones' samples; `time` is that of the last one,
+    /// where the motion begins.
+    pub fn next(&mut self, time: f64, samples: &[Vec<Sample>]) {
+        if self.last.is_empty() {
+            self.by_place = (0..samples.first().map_or(0, Vec::len)).collect();
+            self.crossed = vec![false; self.by_place.len()];
+            let at_rest = |s: &Sample| Bernstein::constant(s.x);
+            self.motion = samples.iter().map(|axis| axis.iter().map(at_rest).collect()).collect();
+            self.start();
+            self.last = samples.to_vec();
+            return;
         }
-        self.last.clear();
-        self.last.extend_from_slice(samples);
+        let (integrator, tau) = (self.integrator, self.tau);
+        let axes = self.last.iter_mut().zip(samples).zip(&mut self.motion);
+        for ((last, now), motions) in axes {
+            let pairs = last.iter().zip(now).zip(motions);
+            pairs.for_each(|((a, b), motion)| *motion = moved(integrator, tau, a, b));
+            last.copy_from_slice(now);
+        }
+        self.look(time);
     }
 
     /// Everything that happened, by time.
@@ -122,46 +142,69 @@ impl Watch {
     }
 
     /// Drones that are together or in the wrong order before anything moves.
-    fn start(&mut self, samples: &[Sample]) {
+    fn start(&mut self) {
+        self.find_close();
         let event = |kind, drones| Event { time: 0.0, drones, kind };
-        for (i, j) in self.close_pairs() {
-            if let (Some(a), Some(b)) = (samples.get(i), samples.get(j))
-                && a.x == b.x
-            {
+        for &(i, j) in &self.close {
+            let together = match self.motion.as_slice() {
+                [x] => at(x, i).0 == at(x, j).0,
+                axes => self.excess(axes, i, j).at(0.0) <= 0.0,
+            };
+            if together {
                 self.events.push(event(EventKind::Collision, (i, j)));
             }
         }
-        for (i, pair) in samples.windows(2).enumerate() {
-            if let [a, b] = pair
-                && a.x > b.x
-            {
+        let [x] = self.motion.as_slice() else { return };
+        for (i, crossed) in (0..x.len().saturating_sub(1)).zip(&mut self.crossed) {
+            if at(x, i).at(0.0) > at(x, i + 1).at(0.0) {
                 self.events.push(event(EventKind::OrderLost, (i, i + 1)));
-                if let Some(crossed) = self.crossed.get_mut(i) {
-                    *crossed = true;
-                }
+                *crossed = true;
             }
         }
     }
 
     fn look(&mut self, time: f64) {
-        for (i, j) in self.close_pairs() {
-            let (Some(a), Some(b)) = (self.motion.get(i), self.motion.get(j)) else {
-                continue;
+        self.find_close();
+        let close = std::mem::take(&mut self.close);
+        for &(i, j) in &close {
+            let collision = |s: f64| Event {
+                time: time + s * self.tau,
+                drones: (i, j),
+                kind: EventKind::Collision,
             };
-            let gap = b.minus(a);
-            let zeros = gap.zeros();
-            for s in &zeros {
-                let time = time + s * self.tau;
-                self.events.push(Event { time, drones: (i, j), kind: EventKind::Collision });
-            }
-            if j == i + 1 {
-                self.note_order(time, i, &gap, &zeros);
+            match self.motion.as_slice() {
+                [x] => {
+                    let gap = at(x, j).minus(&at(x, i));
+                    let zeros = gap.zeros();
+                    self.events.extend(zeros.iter().map(|s| collision(*s)));
+                    if j == i + 1 {
+                        self.note_order(time, i, &gap, &zeros);
+                    }
+                }
+                axes => {
+                    let excess = self.excess(axes, i, j);
+                    // Those at which they come nearer, not those at which they part.
+                    let mut before = 0.0;
+                    for s in excess.zeros() {
+                        if excess.at((before + s) / 2.0) > 0.0 {
+                            self.events.push(collision(s));
+                        }
+                        before = s;
+                    }
+                }
             }
         }
+        self.close = close;
+    }
+
+    /// How far the square of two drones' distance is above that at which they collide.
+    fn excess(&self, axes: &[Vec<Bernstein<MOTION>>], i: usize, j: usize) -> Bernstein<SQUARE> {
+        let squares = axes.iter().map(|axis| at(axis, j).minus(&at(axis, i)).squared());
+        squares.fold(Bernstein::constant(-self.reach * self.reach), |sum, s| sum.plus(&s))
     }
 
     /// The order of drones i and i+1 after each zero of their gap, and in between.
-    fn note_order(&mut self, time: f64, i: usize, gap: &Bernstein, zeros: &[f64]) {
+    fn note_order(&mut self, time: f64, i: usize, gap: &Bernstein<MOTION>, zeros: &[f64]) {
         let from = std::iter::once(0.0).chain(zeros.iter().copied());
         let to = zeros.iter().copied().chain([1.0]);
         for (from, to) in from.zip(to) {
@@ -177,26 +220,38 @@ impl Watch {
         }
     }
 
-    /// The pairs whose motions' ranges overlap: all others keep apart in this step.
-    fn close_pairs(&mut self) -> Vec<(usize, usize)> {
-        let motion = &self.motion;
-        let lower = |i: usize| motion.get(i).map_or(0.0, Bernstein::least);
-        let upper = |i: usize| motion.get(i).map_or(0.0, Bernstein::greatest);
-        self.by_place.sort_by(|&i, &j| lower(i).total_cmp(&lower(j)).then(i.cmp(&j)));
-        let mut pairs = Vec::new();
+    /// The pairs whose motions' ranges come within reach: all others keep apart in this step.
+    fn find_close(&mut self) {
+        let Some((x, across)) = self.motion.split_first() else { return };
+        self.ends.clear();
+        self.ends.extend(x.iter().map(|motion| (motion.least(), motion.greatest())));
+        let (ends, reach) = (&self.ends, self.reach);
+        let end = |i: usize| ends.get(i).copied().unwrap_or_default();
+        self.by_place.sort_by(|&i, &j| end(i).0.total_cmp(&end(j).0).then(i.cmp(&j)));
+        self.close.clear();
         for (place, &i) in self.by_place.iter().enumerate() {
+            let limit = end(i).1 + reach;
             let later = self.by_place.iter().skip(place + 1);
-            for &j in later.take_while(|&&j| lower(j) <= upper(i)) {
-                pairs.push((i.min(j), i.max(j)));
+            for &j in later.take_while(|&&j| end(j).0 <= limit) {
+                let apart = |axis: &Vec<Bernstein<MOTION>>| {
+                    let (a, b) = (at(axis, i), at(axis, j));
+                    a.greatest() + reach < b.least() || b.greatest() + reach < a.least()
+                };
+                if !across.iter().any(apart) {
+                    self.close.push((i.min(j), i.max(j)));
+                }
             }
         }
-        pairs.sort_unstable();
-        pairs
+        self.close.sort_unstable();
     }
 }
 
+fn at(axis: &[Bernstein<MOTION>], drone: usize) -> Bernstein<MOTION> {
+    axis.get(drone).copied().unwrap_or(Bernstein::constant(0.0))
+}
+
 /// The motion of a drone in one step, by its states at both ends.
-fn motion(integrator: Integrator, tau: f64, from: &Sample, to: &Sample) -> Bernstein {
+fn moved(integrator: Integrator, tau: f64, from: &Sample, to: &Sample) -> Bernstein<MOTION> {
     match integrator {
         Integrator::Euler => Bernstein::line(from.x, to.x),
         Integrator::Exact => {

@@ -3,12 +3,12 @@
 
 use std::sync::OnceLock;
 
-use super::body_variables;
+use super::body_variables::{self, Doubles};
 use super::grid::Grid;
 use super::physics::{Body, single};
 use super::unit::{
     Causality, Dimension, Kind, Resumable, Unit, UnitError, Value, Variable, at_variable,
-    expect_real, no_such_variable, not_settable, recalled_reals, wrong_kind,
+    recalled_reals, wrong_kind,
 };
 
 /// Gains of the controller, per second: how fast the error falls.
@@ -29,8 +29,10 @@ impl Default for Gains {
 
 /// Places of the controller's variables.
 pub mod var {
-    /// Wanted position x_d in m; y_d and z_d follow.
+    /// Wanted position x_d in m.
     pub const X_D: usize = 0;
+    /// Wanted position y_d in m.
+    pub const Y_D: usize = 1;
     /// Wanted position z_d in m.
     pub const Z_D: usize = 2;
     /// The plant's twelve outputs, in the plant's order.
@@ -192,6 +194,31 @@ fn table() -> &'static [Variable] {
     })
 }
 
+impl Doubles for Control {
+    fn double(&self, variable: usize) -> Option<f64> {
+        match variable {
+            var::X_D..var::STATE => self.wanted.get(variable).copied(),
+            var::STATE..var::ROTORS => self.state.get(variable - var::STATE).copied(),
+            var::ROTORS..var::LAMBDA_P => self.rotors.get(variable - var::ROTORS).copied(),
+            var::LAMBDA_P => Some(self.gains.position),
+            var::LAMBDA_A => Some(self.gains.attitude),
+            var::BODY.. => body_variables::value(&self.body, variable - var::BODY),
+            _ => None,
+        }
+    }
+
+    fn place_of(&mut self, variable: usize) -> Option<&mut f64> {
+        match variable {
+            var::X_D..var::STATE => self.wanted.get_mut(variable),
+            var::STATE..var::ROTORS => self.state.get_mut(variable - var::STATE),
+            var::LAMBDA_P => Some(&mut self.gains.position),
+            var::LAMBDA_A => Some(&mut self.gains.attitude),
+            var::BODY.. => body_variables::slot(&mut self.body, variable - var::BODY),
+            _ => None,
+        }
+    }
+}
+
 impl Unit for Control {
     fn name(&self) -> &str {
         &self.name
@@ -209,34 +236,17 @@ impl Unit for Control {
             self.single_precision = *single;
             return Ok(());
         }
-        let x = expect_real(self, variable, value)?;
-        let slot = match variable {
-            var::X_D..var::STATE => self.wanted.get_mut(variable),
-            var::STATE..var::ROTORS => self.state.get_mut(variable - var::STATE),
-            var::LAMBDA_P => Some(&mut self.gains.position),
-            var::LAMBDA_A => Some(&mut self.gains.attitude),
-            var::BODY.. => body_variables::slot(&mut self.body, variable - var::BODY),
-            _ => None,
-        };
-        match slot {
-            Some(slot) => *slot = x,
-            None => return Err(not_settable(self, variable)),
-        }
-        Ok(())
+        self.set_value(variable, value)
     }
 
     fn get(&self, variable: usize) -> Result<Value, UnitError> {
-        let number = match variable {
-            var::X_D..var::STATE => self.wanted.get(variable).copied(),
-            var::STATE..var::ROTORS => self.state.get(variable - var::STATE).copied(),
-            var::ROTORS..var::LAMBDA_P => self.rotors.get(variable - var::ROTORS).copied(),
-            var::LAMBDA_P => Some(self.gains.position),
-            var::LAMBDA_A => Some(self.gains.attitude),
-            var::SINGLE => return Ok(Value::Boolean(self.single_precision)),
-            _ => body_variables::value(&self.body, variable - var::BODY),
-        };
-        number.map(Value::Real).ok_or_else(|| no_such_variable(self, variable))
+        match variable {
+            var::SINGLE => Ok(Value::Boolean(self.single_precision)),
+            _ => self.get_double(variable).map(Value::Real),
+        }
     }
+
+    body_variables::doubles_at_once!();
 
     fn initialise(&mut self, _: &Grid) -> Result<(), UnitError> {
         body_variables::check(self, &self.body)?;

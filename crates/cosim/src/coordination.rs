@@ -154,9 +154,10 @@ pub struct Coordination {
     /// The neighbours' positions as last received.
     heard: Vec<Value>,
     machine: Machine,
-    /// The drone's own position: exact, and as the double of the output.
+    /// The drone's own position: exact, and as the doubles of the outputs, across the line too.
     own: Quotient,
     x_d: f64,
+    y_d: f64,
     missed: bool,
     moved: bool,
 }
@@ -167,18 +168,29 @@ impl Coordination {
         let (variables, slots) = table::table(&settings);
         let heard = table::starts(&settings);
         let own = Quotient::from(&settings.start);
-        Self {
+        let mut unit = Self {
             name: name.into(),
             machine: Machine::new(&settings),
             variables,
             slots,
             heard,
-            x_d: settings.exchange.round(&own),
             own,
+            x_d: 0.0,
+            y_d: 0.0,
             settings,
             missed: false,
             moved: true,
-        }
+        };
+        unit.round();
+        unit
+    }
+
+    /// The doubles of the present position.
+    fn round(&mut self) {
+        let exchange = self.settings.exchange;
+        self.x_d = exchange.round(&self.own);
+        let across = self.settings.law.across().and_then(|v| self.machine.beside(v));
+        self.y_d = across.map_or(0.0, |y| exchange.round(y));
     }
 
     /// The settings, as parameters have changed them.
@@ -296,7 +308,7 @@ impl Coordination {
                     *displacement = sum;
                 }
             }
-            Slot::Heard(_) | Slot::Desired | Slot::Own | Slot::Beside(_) => {
+            Slot::Heard(_) | Slot::Desired | Slot::DesiredAcross | Slot::Own | Slot::Beside(_) => {
                 return Err(not_settable(self, variable));
             }
         }
@@ -358,6 +370,7 @@ impl Unit for Coordination {
         let value = match self.slots.get(variable) {
             Some(Slot::Heard(i)) => self.heard.get(*i).cloned(),
             Some(Slot::Desired) => Some(Value::Real(self.x_d)),
+            Some(Slot::DesiredAcross) => Some(Value::Real(self.y_d)),
             Some(Slot::Own) => Some(Value::Exact(self.own.clone())),
             Some(Slot::Beside(v)) => {
                 self.machine.beside(*v).map(|x| self.settings.exchange.send(x))
@@ -366,6 +379,17 @@ impl Unit for Coordination {
             None => None,
         };
         value.ok_or_else(|| no_such_variable(self, variable))
+    }
+
+    fn get_reals(&self, variables: &[usize], into: &mut [f64]) -> Result<(), UnitError> {
+        for (&variable, x) in variables.iter().zip(into) {
+            *x = match self.slots.get(variable) {
+                Some(Slot::Desired) => self.x_d,
+                Some(Slot::DesiredAcross) => self.y_d,
+                _ => self.get(variable)?.to_f64().unwrap_or(f64::NAN),
+            };
+        }
+        Ok(())
     }
 
     fn initialise(&mut self, _: &Grid) -> Result<(), UnitError> {
@@ -384,7 +408,7 @@ impl Unit for Coordination {
         }
         self.machine = Machine::new(&self.settings);
         self.own = Quotient::from(&self.settings.start);
-        self.x_d = self.settings.exchange.round(&self.own);
+        self.round();
         self.missed = false;
         self.moved = true;
         Ok(())
@@ -407,12 +431,12 @@ impl Unit for Coordination {
                 };
                 received.push(x);
             }
-            let moved = self.machine.tick(received);
+            self.machine.tick(received);
             if missed && self.settings.on_loss == OnLoss::Skip {
                 self.machine.put_back(self.own.clone());
-            } else if let Some(own) = moved {
-                self.x_d = self.settings.exchange.round(&own);
-                self.own = own;
+            } else if let Some(own) = self.machine.position() {
+                self.own = own.clone();
+                self.round();
             }
         } else {
             self.machine.tick(Vec::new());
@@ -456,7 +480,7 @@ impl Resumable for Coordination {
             _ => return Err(no_memory(self)),
         }
         self.own = own.clone();
-        self.x_d = self.settings.exchange.round(own);
+        self.round();
         self.missed = *missed;
         Ok(())
     }

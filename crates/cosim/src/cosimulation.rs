@@ -16,7 +16,7 @@ use super::grid::Grid;
 use super::master::{Algorithm, Master};
 use super::own_flight;
 use super::plant::{self, Integrator, Plant};
-use super::record::{Flown, Setup};
+use super::record::{Axis, Flown, Setup};
 use super::seat::Seat;
 use super::unit::{Unit, Value};
 use super::wiring::{Port, Timing, Wiring};
@@ -33,6 +33,8 @@ pub struct Cosimulation {
     pub grid: Grid,
     /// Where the drones are at the start, in m.
     pub start: Vec<Rational>,
+    /// Where they are across the line, for planar protocols.
+    pub across: Option<Vec<Rational>>,
     /// Gain lambda_P in 1/s.
     pub lambda_p: Rational,
     /// Gain lambda_A in 1/s.
@@ -58,6 +60,8 @@ pub struct Cosimulation {
     pub load: Loader,
     /// Seed of everything random.
     pub seed: u64,
+    /// Which variables are recorded beside the positions: patterns over `unit.variable`.
+    pub recorded_variables: Vec<String>,
     /// The arithmetic of the recorded runs, to the last bit.
     pub recorded: bool,
 }
@@ -135,19 +139,14 @@ impl Cosimulation {
         if let Some(own) = scenario.own() {
             own_flight::refuse_what_cannot_fly(own)?;
         }
-        let positions = || match scenario.own() {
-            None => scenario.start.clone(),
-            Some(own) => {
-                (0..count).map(|i| own_flight::position(own, &scenario.start, i)).collect()
-            }
+        let (start, across) = match scenario.own() {
+            None => (scenario.start.clone(), None),
+            Some(own) => own_flight::positions(own, &scenario.start),
         };
-        let start = flight.start.unwrap_or_else(positions);
-        if start.len() != count {
-            return Err(Error::input(format!(
-                "flight.start: {} positions given: expected one for each of the {count} drones",
-                start.len()
-            )));
-        }
+        let (start, across) = match (flight.start, across) {
+            (None, across) => (start, across),
+            (Some(given), across) => placed(given, count, across.is_some())?,
+        };
         let positive = |name: &str, gain: Option<Rational>, default: Rational| match gain {
             None => Ok(default),
             Some(gain) if gain.is_positive() => Ok(gain),
@@ -185,6 +184,8 @@ impl Cosimulation {
             scenario,
             grid,
             start,
+            across,
+            recorded_variables: Vec::new(),
         };
         swarm.check_places()?;
         Ok(swarm)
@@ -287,9 +288,32 @@ impl Cosimulation {
         port(&self.coordination(drone), drone, slot)
     }
 
-    /// The exact desired position of a drone in a run whose every value is exact.
-    pub(super) fn exact_port(&self, drone: usize) -> Result<Port> {
-        port(&self.exact_coordination(drone), drone, Slot::Own)
+    /// The exact desired position of a drone along an axis, in a run whose every value is exact.
+    pub(super) fn exact_slot(&self, axis: Axis) -> Slot {
+        let across = self.scenario.own().and_then(own_flight::across);
+        match (axis, across) {
+            (Axis::Y, Some(variable)) => Slot::Beside(variable),
+            _ => Slot::Own,
+        }
+    }
+
+    /// A variable of a drone's coordination unit in a run whose every value is exact.
+    pub(super) fn exact_port(&self, drone: usize, slot: Slot) -> Result<Port> {
+        port(&self.exact_coordination(drone), drone, slot)
+    }
+
+    /// The axes along which the protocol tells drones where to be.
+    pub fn axes(&self) -> &'static [Axis] {
+        if self.across.is_some() { &[Axis::X, Axis::Y] } else { &[Axis::X] }
+    }
+
+    /// Where a drone is at the start along an axis, in m.
+    pub fn start_of(&self, drone: usize, axis: Axis) -> Rational {
+        let places = match axis {
+            Axis::X => Some(&self.start),
+            Axis::Y => self.across.as_ref(),
+        };
+        places.and_then(|places| places.get(drone)).cloned().unwrap_or_default()
     }
 
     /// The controller of a drone.
@@ -304,8 +328,9 @@ impl Cosimulation {
 
     /// The plant of a drone.
     pub fn plant(&self, drone: usize) -> Plant {
-        let x = self.start.get(drone).map_or(0.0, exact::to_f64);
-        Plant::new(Seat::plant(drone).name(), [x, 0.0, 0.0], self.integrator)
+        let place = |axis| exact::to_f64(&self.start_of(drone, axis));
+        let start = [place(Axis::X), place(Axis::Y), 0.0];
+        Plant::new(Seat::plant(drone).name(), start, self.integrator)
     }
 
     /// The drones that a drone hears, in the order of its inputs; for coverage the end drones
@@ -367,19 +392,23 @@ impl Cosimulation {
 
     /// Units of this program and their connections.
     fn wired_here(&self) -> Result<Wiring> {
+        let number = |x: &Rational| Value::Real(exact::to_f64(x));
+        let mut held = vec![(control::var::Z_D, number(&self.z_d))];
+        let mut desired = vec![(Slot::Desired, control::var::X_D)];
+        match self.across {
+            Some(_) => desired.push((Slot::DesiredAcross, control::var::Y_D)),
+            None => held.push((control::var::Y_D, Value::Real(0.0))),
+        }
         self.wired(&Body {
             coordination: &|i| self.coordination(i),
             control: &|i| Box::new(self.control(i)),
             plant: &|i| Box::new(self.plant(i)),
-            desired: Slot::Desired,
+            desired,
             state: control::var::STATE..control::var::ROTORS,
             first_output: plant::var::X,
             rotors: control::var::ROTORS..control::var::LAMBDA_P,
             first_rotor: plant::var::ROTORS,
-            held: vec![
-                (control::var::X_D + 1, Value::Real(0.0)),
-                (control::var::Z_D, Value::Real(exact::to_f64(&self.z_d))),
-            ],
+            held,
         })
     }
 
@@ -428,7 +457,11 @@ impl Cosimulation {
                     }
                 }
             }
-            body.connect(&mut wiring, i, port(i, body.desired)?);
+            for &(output, input) in &body.desired {
+                let to = Port { unit: Seat::control(i).place(), variable: input };
+                wiring.connect(port(i, output)?, to, Timing::Sampled);
+            }
+            body.connect(&mut wiring, i);
         }
         for (drone, steps) in faults.drop_outs {
             wiring.outage(Seat::coordination(drone).place(), steps);
@@ -466,6 +499,26 @@ impl Cosimulation {
             fmus: self.units.iter().map(flown).collect(),
         }
     }
+}
+
+/// Starts that a scenario says: a position a drone, or x and y.
+fn placed(
+    given: Vec<Rational>,
+    count: usize,
+    planar: bool,
+) -> Result<(Vec<Rational>, Option<Vec<Rational>>)> {
+    let (axes, expected) = if planar { (2, "x and y") } else { (1, "one") };
+    if given.len() != axes * count {
+        return Err(Error::input(format!(
+            "flight.start: {} positions given: expected {expected} for each of the {count} drones",
+            given.len()
+        )));
+    }
+    if !planar {
+        return Ok((given, None));
+    }
+    let of = |axis| given.iter().skip(axis).step_by(axes).cloned().collect();
+    Ok((of(0), Some(of(1))))
 }
 
 /// Whether a drone updates before another.
@@ -515,8 +568,8 @@ pub(super) struct Body<'b> {
     pub(super) coordination: &'b dyn Fn(usize) -> Coordination,
     pub(super) control: &'b dyn Fn(usize) -> Box<dyn Unit>,
     pub(super) plant: &'b dyn Fn(usize) -> Box<dyn Unit>,
-    /// The output that the controller follows; its input is number 0.
-    pub(super) desired: Slot,
+    /// The outputs that the controller follows, each with its input there.
+    pub(super) desired: Vec<(Slot, usize)>,
     /// The controller's inputs from the plant, and the plant's first output.
     pub(super) state: std::ops::Range<usize>,
     pub(super) first_output: usize,
@@ -528,10 +581,9 @@ pub(super) struct Body<'b> {
 }
 
 impl Body<'_> {
-    fn connect(&self, wiring: &mut Wiring, drone: usize, desired: Port) {
+    fn connect(&self, wiring: &mut Wiring, drone: usize) {
         let control = |variable| Port { unit: Seat::control(drone).place(), variable };
         let plant = |variable| Port { unit: Seat::plant(drone).place(), variable };
-        wiring.connect(desired, control(control::var::X_D), Timing::Sampled);
         for (k, input) in self.state.clone().enumerate() {
             wiring.connect(plant(self.first_output + k), control(input), Timing::Sampled);
         }

@@ -2,11 +2,10 @@
 
 use std::fmt;
 
-use super::coordination::Slot;
 use super::cosimulation::{Body, Cosimulation};
 use super::exact_units::{ExactControl, ExactPlant, control_var, plant_var};
 use super::master::Master;
-use super::record::Record;
+use super::record::{Axis, Record, Track};
 use super::seat::Seat;
 use super::unit::Value;
 use super::wiring::Port;
@@ -52,12 +51,13 @@ impl fmt::Display for Difference {
     }
 }
 
-/// The master of the swarm's co-simulation along x in exact arithmetic.
+/// The master of the swarm's co-simulation along an axis in exact arithmetic: with the wanted yaw of 0
+/// the loops along x and y are one system.
 ///
 /// # Errors
 /// The swarm cannot be wired.
-pub fn master(swarm: &Cosimulation) -> Result<Master> {
-    let start = |i: usize| swarm.start.get(i).cloned().unwrap_or_default();
+pub fn master(swarm: &Cosimulation, axis: Axis) -> Result<Master> {
+    let start = |i: usize| swarm.start_of(i, axis);
     let wiring = swarm.wired(&Body {
         coordination: &|i| swarm.exact_coordination(i),
         control: &|i| {
@@ -65,7 +65,7 @@ pub fn master(swarm: &Cosimulation) -> Result<Master> {
             Box::new(ExactControl::new(name, &swarm.lambda_p, &swarm.lambda_a))
         },
         plant: &|i| Box::new(ExactPlant::new(Seat::plant(i).name(), &start(i), swarm.integrator)),
-        desired: Slot::Own,
+        desired: vec![(swarm.exact_slot(axis), control_var::WANTED)],
         state: control_var::CHAIN..control_var::SNAP,
         first_output: plant_var::X,
         rotors: control_var::SNAP..control_var::SNAP + 1,
@@ -81,10 +81,25 @@ pub fn master(swarm: &Cosimulation) -> Result<Master> {
 /// The swarm cannot be wired, or the record is another one's.
 pub fn difference(swarm: &Cosimulation, record: &Record) -> Result<Difference> {
     let mut found = Difference { desired: Largest::default(), actual: Largest::default() };
-    let own = (0..swarm.count()).map(|i| swarm.exact_port(i)).collect::<Result<Vec<_>>>()?;
-    master(swarm)?.run(|master, step| {
+    for (axis, track) in record.tracks() {
+        along(swarm, axis, record, track, &mut found)?;
+    }
+    Ok(found)
+}
+
+fn along(
+    swarm: &Cosimulation,
+    axis: Axis,
+    record: &Record,
+    track: &Track,
+    found: &mut Difference,
+) -> Result<()> {
+    let slot = swarm.exact_slot(axis);
+    let port = |i| swarm.exact_port(i, slot);
+    let own = (0..swarm.count()).map(port).collect::<Result<Vec<_>>>()?;
+    master(swarm, axis)?.run(|master, step| {
         let row = usize::try_from(step).unwrap_or(usize::MAX);
-        let pairs = record.desired_at(row).iter().zip(record.actual_at(row));
+        let pairs = record.at(&track.desired, row).iter().zip(record.at(&track.actual, row));
         for (i, ((desired, actual), own)) in pairs.zip(&own).enumerate() {
             let distance = |port: Port, x: f64| -> Result<f64> {
                 match master.value(port)? {
@@ -99,6 +114,5 @@ pub fn difference(swarm: &Cosimulation, record: &Record) -> Result<Difference> {
             found.actual.note(actual, i, step);
         }
         Ok(())
-    })?;
-    Ok(found)
+    })
 }

@@ -30,6 +30,7 @@ const SNAP: Dimension = Dimension("m/s4");
 
 /// Places of the controller's variables: the wanted position, the chain, the command.
 pub(super) mod control_var {
+    pub(crate) const WANTED: usize = 0;
     pub(crate) const CHAIN: usize = 1;
     pub(crate) const SNAP: usize = 5;
 }

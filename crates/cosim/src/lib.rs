@@ -46,6 +46,8 @@ pub mod run;
 #[cfg(feature = "swarm")]
 pub mod seat;
 #[cfg(feature = "swarm")]
+mod selection;
+#[cfg(feature = "swarm")]
 pub mod store;
 #[cfg(feature = "swarm")]
 pub mod wiring;

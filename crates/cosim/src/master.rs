@@ -7,8 +7,8 @@ use rayon::prelude::*;
 
 use super::grid::Grid;
 use super::order;
-use super::unit::{Unit, UnitError, Value, at_variable};
-use super::wiring::{Link, Port, Timing, Wiring};
+use super::unit::{Kind, Unit, UnitError, Value, at_variable};
+use super::wiring::{Connection, Link, Port, Timing, Wiring};
 use cordon_core::exact::decimal_string;
 use cordon_core::{Error, Result};
 
@@ -46,6 +46,11 @@ pub struct Master {
     cells: Vec<Cell>,
     /// Outputs of every unit that are connected, as they were at the current grid point.
     sent: Vec<Vec<Value>>,
+    /// Doubles that travel all at once, undisturbed, as they were at the current grid point: for
+    /// each unit those in its lane.
+    doubles: Vec<f64>,
+    /// How many of them a unit has room for.
+    room: usize,
     /// Whether a unit's outputs may have changed in the last step.
     fresh: Vec<bool>,
     /// Whether some unit is out of order at some time.
@@ -59,7 +64,21 @@ struct Cell {
     /// Places of the connected outputs.
     outputs: Vec<usize>,
     inputs: Vec<Input>,
+    lane: Lane,
     outages: Vec<Range<u64>>,
+}
+
+/// The doubles that a unit sends and receives without a [`Value`] around them.
+#[derive(Default)]
+struct Lane {
+    /// Places of the outputs.
+    outputs: Vec<usize>,
+    /// Places of the inputs.
+    inputs: Vec<usize>,
+    /// Of each input its place among the doubles of all units.
+    from: Vec<usize>,
+    /// The inputs' values on their way.
+    received: Vec<f64>,
 }
 
 struct Input {
@@ -103,40 +122,70 @@ impl Master {
             variable.is_some_and(|v| !v.feedthrough.is_empty())
         });
         let at_once = algorithm == Algorithm::Jacobi && all_sampled && !feeds_through;
-        let mut master = Self::assemble(wiring, grid, sampled, in_order)?;
-        if at_once {
-            master.schedule = Schedule::AtOnce;
-        }
+        let in_order = if at_once { None } else { Some((sampled, in_order)) };
+        let mut master = Self::assemble(wiring, grid, in_order)?;
         master.initialise()?;
         Ok(master)
     }
 
+    /// `in_order` has the sampled connections and the units in their order, unless all of it
+    /// happens at once.
     fn assemble(
         wiring: Wiring,
         grid: Grid,
-        sampled: Vec<usize>,
-        in_order: Vec<usize>,
+        in_order: Option<(Vec<usize>, Vec<usize>)>,
     ) -> Result<Self> {
+        let undisturbed = in_order.is_none() && wiring.outages.is_empty();
+        let in_lane = |c: &Connection, units: &[Box<dyn Unit>]| {
+            let variable = units.get(c.to.unit).and_then(|u| u.variables().get(c.to.variable));
+            let real = variable.is_some_and(|v| v.kind() == Kind::Real);
+            undisturbed && c.link.is_none() && real
+        };
+        let lanes: Vec<bool> =
+            wiring.connections.iter().map(|c| in_lane(c, &wiring.units)).collect();
         let Wiring { units, connections, held, outages } = wiring;
         let mut cells: Vec<Cell> = units
             .into_iter()
-            .map(|unit| Cell { unit, outputs: Vec::new(), inputs: Vec::new(), outages: Vec::new() })
+            .map(|unit| Cell {
+                unit,
+                outputs: Vec::new(),
+                inputs: Vec::new(),
+                lane: Lane::default(),
+                outages: Vec::new(),
+            })
             .collect();
         for (place, steps) in outages {
             if let Some(cell) = cells.get_mut(place) {
                 cell.outages = steps;
             }
         }
+        let slot_of = |outputs: &mut Vec<usize>, variable: usize| {
+            let known = outputs.iter().position(|o| *o == variable);
+            known.unwrap_or_else(|| {
+                outputs.push(variable);
+                outputs.len() - 1
+            })
+        };
+        for (c, _) in connections.iter().zip(&lanes).filter(|(_, lane)| **lane) {
+            if let Some(source) = cells.get_mut(c.from.unit) {
+                slot_of(&mut source.lane.outputs, c.from.variable);
+            }
+        }
+        // Every unit has as much room among the doubles as the one that needs most.
+        let room =
+            cells.iter().map(|cell| cell.lane.outputs.len()).max().unwrap_or_default().max(1);
         let mut places = Vec::with_capacity(connections.len());
-        for c in connections {
-            let slot = cells.get_mut(c.from.unit).map_or(0, |source| {
-                let known = source.outputs.iter().position(|o| *o == c.from.variable);
-                known.unwrap_or_else(|| {
-                    source.outputs.push(c.from.variable);
-                    source.outputs.len() - 1
-                })
+        for (c, lane) in connections.into_iter().zip(lanes) {
+            let source = cells.get_mut(c.from.unit);
+            let slot = source.map_or(0, |source| match lane {
+                true => slot_of(&mut source.lane.outputs, c.from.variable),
+                false => slot_of(&mut source.outputs, c.from.variable),
             });
-            if let Some(target) = cells.get_mut(c.to.unit) {
+            if lane && let Some(target) = cells.get_mut(c.to.unit) {
+                target.lane.inputs.push(c.to.variable);
+                target.lane.from.push(c.from.unit * room + slot);
+                target.lane.received.push(0.0);
+            } else if let Some(target) = cells.get_mut(c.to.unit) {
                 places.push((c.to.unit, target.inputs.len()));
                 target.inputs.push(Input {
                     variable: c.to.variable,
@@ -147,7 +196,6 @@ impl Master {
                 });
             }
         }
-        let sampled = sampled.into_iter().filter_map(|c| places.get(c).copied()).collect();
         for (port, value) in held {
             if let Some(cell) = cells.get_mut(port.unit) {
                 cell.unit.set(port.variable, &value)?;
@@ -155,19 +203,25 @@ impl Master {
         }
         let blank: Vec<Vec<Value>> =
             cells.iter().map(|c| vec![Value::Boolean(false); c.outputs.len()]).collect();
-        let schedule = Schedule::InOrder { sampled, units: in_order };
+        let schedule = in_order.map_or(Schedule::AtOnce, |(sampled, units)| {
+            let sampled = sampled.iter().filter_map(|c| places.get(*c).copied()).collect();
+            Schedule::InOrder { sampled, units }
+        });
         let fresh = vec![true; cells.len()];
         let outages = cells.iter().any(|c| !c.outages.is_empty());
-        Ok(Self { grid, cells, sent: blank, fresh, outages, schedule })
+        let doubles = vec![0.0; room * cells.len()];
+        Ok(Self { grid, cells, sent: blank, doubles, room, fresh, outages, schedule })
     }
 
     fn initialise(&mut self) -> Result<()> {
         let grid = &self.grid;
-        for (cell, sent) in self.cells.iter_mut().zip(&mut self.sent) {
+        let lanes = self.doubles.chunks_mut(self.room);
+        for ((cell, sent), lane) in self.cells.iter_mut().zip(&mut self.sent).zip(lanes) {
             cell.unit.initialise(grid)?;
-            cell.send(sent, grid, 0)?;
+            cell.send(sent, lane, grid, 0)?;
         }
         for cell in &mut self.cells {
+            cell.receive_doubles(&self.doubles)?;
             for input in &cell.inputs {
                 if let Some(value) = self.sent.get(input.from.unit).and_then(|s| s.get(input.slot))
                 {
@@ -190,30 +244,32 @@ impl Master {
     pub fn value(&self, port: Port) -> Result<Value> {
         match self.cells.get(port.unit) {
             Some(cell) => Ok(cell.unit.get(port.variable)?),
-            None => Err(Error::internal(format!(
-                "unit number {}: expected one of the {} units",
-                port.unit,
-                self.cells.len()
-            ))),
+            None => Err(self.no_such_unit(port.unit)),
         }
     }
 
-    /// The present value of a number, as a double.
+    /// The present values of numbers of a unit, as doubles.
     ///
     /// # Errors
-    /// There is no such variable, it is no number, or it is not finite at grid point `step`.
-    pub fn number(&self, port: Port, step: u64) -> Result<f64> {
-        let value = self.value(port)?;
-        let x = value.to_f64().unwrap_or(f64::NAN);
-        if x.is_finite() {
-            return Ok(x);
-        }
-        match self.cells.get(port.unit) {
-            Some(cell) => {
-                Err(not_finite(cell.unit.as_ref(), port.variable, &value, &self.grid, step).into())
-            }
-            None => Err(Error::internal("expected a unit")),
-        }
+    /// There is no such variable, one is no number, or not finite at grid point `step`.
+    pub fn numbers(
+        &self,
+        unit: usize,
+        variables: &[usize],
+        into: &mut [f64],
+        step: u64,
+    ) -> Result<()> {
+        let Some(cell) = self.cells.get(unit) else {
+            return Err(self.no_such_unit(unit));
+        };
+        Ok(cell.finite_numbers(variables, into, &self.grid, step)?)
+    }
+
+    fn no_such_unit(&self, unit: usize) -> Error {
+        Error::internal(format!(
+            "unit number {unit}: expected one of the {} units",
+            self.cells.len()
+        ))
     }
 
     /// What the user should know about the units, each note with the unit's name.
@@ -281,41 +337,52 @@ impl Master {
     /// steps; then all of them leave those of the next. No unit sees another's work, so that
     /// the result does not depend on the number of threads.
     fn advance_at_once(&mut self, step: u64) -> Result<()> {
-        let (grid, sent, fresh) = (&self.grid, &self.sent, &self.fresh);
+        let (grid, sent, fresh, doubles) = (&self.grid, &self.sent, &self.fresh, &self.doubles);
         let down: Vec<bool> = match self.outages {
             true => self.cells.iter().map(|c| c.is_down(step)).collect(),
             false => Vec::new(),
         };
-        for_each(&mut self.cells, &mut vec![(); fresh.len()], |cell, ()| {
+        let advance = |cell: &mut Cell| {
             cell.receive(sent, fresh, &down, step)?;
+            cell.receive_doubles(doubles)?;
             cell.step(grid, step)
-        })?;
-        let fresh = &mut self.fresh;
-        let mut slots: Vec<_> = self.sent.iter_mut().zip(fresh).collect();
+        };
+        let many = self.cells.len() >= PARALLEL_FROM;
+        match many {
+            false => self.cells.iter_mut().try_for_each(advance)?,
+            true => first_error(self.cells.par_iter_mut().with_min_len(64).map(advance))?,
+        }
         // Where units drop out, an input may not have what its source last sent.
         let always = self.outages;
-        for_each(&mut self.cells, &mut slots, |cell, (sent, fresh)| {
-            **fresh = always || cell.unit.moved();
-            if **fresh { cell.send(sent, grid, step + 1) } else { Ok(()) }
-        })
+        let send = |(((cell, sent), fresh), lane): (
+            ((&mut Cell, &mut Vec<Value>), &mut bool),
+            &mut [f64],
+        )| {
+            *fresh = always || cell.unit.moved();
+            if *fresh { cell.send(sent, lane, grid, step + 1) } else { Ok(()) }
+        };
+        let (cells, sent, fresh, lanes) =
+            (&mut self.cells, &mut self.sent, &mut self.fresh, &mut self.doubles);
+        match many {
+            false => {
+                let lanes = lanes.chunks_mut(self.room);
+                cells.iter_mut().zip(sent).zip(fresh).zip(lanes).try_for_each(send)?;
+            }
+            true => {
+                let lanes = lanes.par_chunks_mut(self.room);
+                let cells = cells.par_iter_mut().zip(sent).zip(fresh).zip(lanes);
+                first_error(cells.with_min_len(64).map(send))?;
+            }
+        }
+        Ok(())
     }
 }
 
-/// Does the work on every unit, on several threads where there are many; the first error in
-/// the units' order.
-fn for_each<T: Send>(
-    cells: &mut [Cell],
-    others: &mut [T],
-    work: impl Fn(&mut Cell, &mut T) -> Result<(), UnitError> + Sync,
-) -> Result<()> {
-    if cells.len() < PARALLEL_FROM {
-        cells.iter_mut().zip(others).try_for_each(|(c, o)| work(c, o))?;
-    } else {
-        let pairs = cells.par_iter_mut().zip(others).with_min_len(64);
-        let failed = pairs.map(|(c, o)| work(c, o)).find_first(Result::is_err);
-        failed.unwrap_or(Ok(()))?;
-    }
-    Ok(())
+/// The first error in the units' order.
+fn first_error(
+    results: impl IndexedParallelIterator<Item = Result<(), UnitError>>,
+) -> Result<(), UnitError> {
+    results.find_first(Result::is_err).unwrap_or(Ok(()))
 }
 
 impl Cell {
@@ -352,12 +419,45 @@ impl Cell {
         Ok(())
     }
 
-    /// Puts the connected outputs into `sent`.
-    fn send(&self, sent: &mut [Value], grid: &Grid, step: u64) -> Result<(), UnitError> {
+    /// Sets the inputs in the lane from the doubles that all units have sent.
+    fn receive_doubles(&mut self, doubles: &[f64]) -> Result<(), UnitError> {
+        let Lane { inputs, from, received, .. } = &mut self.lane;
+        for (&place, x) in from.iter().zip(received.iter_mut()) {
+            *x = doubles.get(place).copied().unwrap_or_default();
+        }
+        self.unit.set_reals(inputs, received)
+    }
+
+    /// Puts the connected outputs into `sent`, those in the lane into `doubles`.
+    fn send(
+        &self,
+        sent: &mut [Value],
+        doubles: &mut [f64],
+        grid: &Grid,
+        step: u64,
+    ) -> Result<(), UnitError> {
         for (&variable, slot) in self.outputs.iter().zip(sent) {
             *slot = finite(self.unit.as_ref(), variable, grid, step)?;
         }
-        Ok(())
+        self.finite_numbers(&self.lane.outputs, doubles, grid, step)
+    }
+
+    /// The present values of numbers, which are refused where they are not finite.
+    fn finite_numbers(
+        &self,
+        variables: &[usize],
+        into: &mut [f64],
+        grid: &Grid,
+        step: u64,
+    ) -> Result<(), UnitError> {
+        self.unit.get_reals(variables, into)?;
+        match variables.iter().zip(into).find(|(_, x)| !x.is_finite()) {
+            None => Ok(()),
+            Some((&variable, _)) => {
+                let value = self.unit.get(variable)?;
+                Err(not_finite(self.unit.as_ref(), variable, &value, grid, step))
+            }
+        }
     }
 }
 

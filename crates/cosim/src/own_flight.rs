@@ -1,6 +1,6 @@
 //! Whether drones can fly a protocol file, and where they are at its start.
 
-use crate::coordination::own::{POSITION, position_of};
+use crate::coordination::own::{POSITION, across_of, position_of};
 use cordon_core::system::System;
 use cordon_core::{Error, Rational, Result};
 use cordon_run::scenario::Own;
@@ -9,16 +9,24 @@ fn names(system: &System) -> Vec<String> {
     system.variables.iter().map(|v| v.name.clone()).collect()
 }
 
-/// The position of a drone at the start.
-pub(crate) fn position(own: &Own, start: &[Rational], drone: usize) -> Rational {
-    let place = drone * own.system.variables.len() + position_of(&own.system);
-    start.get(place).cloned().unwrap_or_default()
+/// Which variable of an agent of a planar protocol is its position across the line.
+pub(crate) fn across(own: &Own) -> Option<usize> {
+    across_of(&own.system)
+}
+
+/// The positions of all drones at the start: along the line, and across it for planar protocols.
+pub(crate) fn positions(own: &Own, start: &[Rational]) -> (Vec<Rational>, Option<Vec<Rational>>) {
+    let of = |variable| {
+        let places = (variable..).step_by(own.system.variables.len()).take(own.system.agents);
+        places.map(|place| start.get(place).cloned().unwrap_or_default()).collect()
+    };
+    (of(position_of(&own.system)), across_of(&own.system).map(of))
 }
 
 /// Refuses protocols that no drone can fly.
 ///
 /// # Errors
-/// No variable `x`; or `y`, across the line along which drones fly.
+/// No variable `x`; or `z`: drones keep their height.
 pub(crate) fn refuse_what_cannot_fly(own: &Own) -> Result<()> {
     let names = names(&own.system);
     let fail = |expected: &str| {
@@ -31,8 +39,8 @@ pub(crate) fn refuse_what_cannot_fly(own: &Own) -> Result<()> {
     if names.len() > 1 && !names.iter().any(|name| name == POSITION) {
         return fail("a variable `x`, the position along which drones fly");
     }
-    if names.iter().any(|name| name == "y" || name == "z") {
-        return fail("no `y` and `z`: drones fly along x only, where they would meet that do not");
+    if names.iter().any(|name| name == "z") {
+        return fail("no `z`: drones fly in x and y, all at one height");
     }
     Ok(())
 }
@@ -42,7 +50,9 @@ pub(crate) fn refuse_what_cannot_fly(own: &Own) -> Result<()> {
 mod tests {
     use std::path::Path;
 
+    use crate::collision::EventKind;
     use crate::cosimulation::Cosimulation;
+    use crate::exact_run;
     use crate::run::run;
     use cordon_core::exact;
     use cordon_run::scenario::{Flight, Scenario, parse};
@@ -60,7 +70,7 @@ mod tests {
 
     fn flown(scenario: &Scenario) -> Vec<f64> {
         let flight = Flight { duration: Some(2.into_rational()), ..Flight::default() };
-        run(&Cosimulation::new(scenario.clone(), flight).unwrap()).unwrap().desired
+        run(&Cosimulation::new(scenario.clone(), flight).unwrap()).unwrap().x.desired
     }
 
     trait IntoRational {
@@ -99,11 +109,74 @@ mod tests {
         assert_eq!(flown(&own), flown(&built_in));
     }
 
+    /// Agents on a grid of 4 by 4, 10 m apart in x and 7 m in y, that tend to one place.
+    fn planar(integrator: &str, seconds: i32) -> Cosimulation {
+        let start: Vec<String> =
+            (0..16).flat_map(|i| [(i % 4 * 10).to_string(), (i / 4 * 7).to_string()]).collect();
+        let rest = format!("start = [{}]\nweight = 0.2\nperiod = 4", start.join(", "));
+        let flight = Flight {
+            duration: Some(seconds.into_rational()),
+            integrator: Some(integrator.to_owned()),
+            ..Flight::default()
+        };
+        Cosimulation::new(scenario("grid.toml", &rest), flight).unwrap()
+    }
+
+    #[test]
+    fn planar_protocols_fly_in_x_and_y() {
+        let swarm = planar("euler", 2);
+        let record = run(&swarm).unwrap();
+        let y = record.y.as_ref().unwrap();
+        for (row, snapshot) in simulate::run(&swarm.scenario).take(record.rows()).enumerate() {
+            let wanted = |v| snapshot.state.drones.iter().skip(v).step_by(2).map(exact::to_f64);
+            assert!(wanted(0).eq(record.desired_at(row).iter().copied()), "{row}");
+            assert!(wanted(1).eq(record.at(&y.desired, row).iter().copied()), "{row}");
+        }
+        let difference = exact_run::difference(&swarm, &record).unwrap();
+        assert!(difference.desired.size < 1e-14, "{difference}");
+        assert!(difference.actual.size < 1e-11, "{difference}");
+    }
+
+    /// Centres that come as near as two arms: at that time and not before, with either integrator.
+    #[test]
+    fn collisions_are_found_in_the_plane() {
+        for integrator in ["euler", "exact"] {
+            let swarm = planar(integrator, 25);
+            let record = run(&swarm).unwrap();
+            let y = record.y.as_ref().unwrap();
+            let distance = |row: usize, i: usize, j: usize| {
+                let gap = |x: &[f64]| x[j] - x[i];
+                gap(record.actual_at(row)).hypot(gap(record.at(&y.actual, row)))
+            };
+            let nearest = |row: usize| {
+                let pairs = (0..16).flat_map(|j| (0..j).map(move |i| (i, j)));
+                pairs.map(|(i, j)| distance(row, i, j)).fold(f64::INFINITY, f64::min)
+            };
+            let events = record.events.as_ref().unwrap();
+            let first = &events[0];
+            let after = record.times.iter().position(|t| *t >= first.time).unwrap();
+            assert!((0..after).all(|row| nearest(row) > 0.6), "{integrator}");
+            let (i, j) = first.drones;
+            let (before, next) = (distance(after - 1, i, j), distance(after, i, j));
+            assert!(before > 0.6 && next <= 0.6, "{integrator}: {before} {next}");
+            assert!(events.iter().all(|e| e.kind == EventKind::Collision));
+            assert!(events.len() > 20, "{}", events.len());
+        }
+    }
+
     #[test]
     fn what_cannot_fly_is_named() {
-        let start: Vec<String> = (0..32).map(|i| i.to_string()).collect();
-        let s = scenario("grid.toml", &format!("start = [{}]\nweight = 0.2", start.join(", ")));
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("high.toml");
+        let text = "agents = 2\nstate = { x = \"m\", z = \"m\" }\ntopology = \"line\"\n\
+                    claims = [\"x[i] < x[i+1]\"]\n[rules]\nall = { x = \"x\", z = \"z\" }\n";
+        std::fs::write(&file, text).unwrap();
+        let s = scenario(&file.display().to_string(), "start = [0, 0, 1, 0]");
         let said = Cosimulation::new(s, Flight::default()).unwrap_err().to_string();
-        assert!(said.contains("state `x, y`: expected no `y`"), "{said}");
+        assert!(said.contains("state `x, z`: expected no `z`"), "{said}");
+        let mut flight = Flight::default();
+        flight.start = Some(vec![1.into_rational(); 16]);
+        let said = Cosimulation::new(planar("euler", 1).scenario, flight).unwrap_err().to_string();
+        assert!(said.contains("16 positions given: expected x and y for each"), "{said}");
     }
 }

@@ -42,6 +42,11 @@ impl Body {
         (self.mass * self.gravity * self.thrust).sqrt()
     }
 
+    /// The distance of two drones' centres at which their arms touch, in m.
+    pub fn touching(&self) -> f64 {
+        2.0 * self.arm
+    }
+
     /// C_z = 2 sqrt(Kf g/m): lift to vertical acceleration.
     pub fn lift(&self) -> f64 {
         2.0 * (self.thrust * self.gravity / self.mass).sqrt()

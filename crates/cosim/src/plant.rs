@@ -2,12 +2,12 @@
 
 use std::sync::OnceLock;
 
-use super::body_variables;
+use super::body_variables::{self, Doubles};
 use super::grid::Grid;
 use super::physics::Body;
 use super::unit::{
     Causality, Dimension, Kind, Resumable, Unit, UnitError, Value, Variable, at_variable,
-    expect_real, no_such_variable, not_settable, recalled_reals, wrong_kind,
+    recalled_reals, wrong_kind,
 };
 
 /// How the plant advances by a communication step. Inputs stay as they are meanwhile.
@@ -42,6 +42,8 @@ pub mod var {
     pub const ROTORS: usize = 0;
     /// Position x in m; y and z follow.
     pub const X: usize = 4;
+    /// Height z in m.
+    pub const Z: usize = 6;
     /// Velocity along x in m/s; y and z follow.
     pub const VX: usize = 7;
     /// Roll phi in rad; pitch theta and yaw psi follow.
@@ -200,6 +202,27 @@ fn table() -> &'static [Variable] {
     })
 }
 
+impl Doubles for Plant {
+    fn double(&self, variable: usize) -> Option<f64> {
+        match variable {
+            var::ROTORS..var::X => self.rotors.get(variable).copied(),
+            var::X..var::X0 => self.state.get(variable - var::X).copied(),
+            var::X0..=var::Z0 => self.start.get(variable - var::X0).copied(),
+            var::BODY.. => body_variables::value(&self.body, variable - var::BODY),
+            _ => None,
+        }
+    }
+
+    fn place_of(&mut self, variable: usize) -> Option<&mut f64> {
+        match variable {
+            var::ROTORS..var::X => self.rotors.get_mut(variable),
+            var::X0..=var::Z0 => self.start.get_mut(variable - var::X0),
+            var::BODY.. => body_variables::slot(&mut self.body, variable - var::BODY),
+            _ => None,
+        }
+    }
+}
+
 impl Unit for Plant {
     fn name(&self) -> &str {
         &self.name
@@ -219,30 +242,17 @@ impl Unit for Plant {
             })?;
             return Ok(());
         }
-        let x = expect_real(self, variable, value)?;
-        let slot = match variable {
-            var::ROTORS..var::X => self.rotors.get_mut(variable),
-            var::X0..=var::Z0 => self.start.get_mut(variable - var::X0),
-            var::BODY.. => body_variables::slot(&mut self.body, variable - var::BODY),
-            _ => None,
-        };
-        match slot {
-            Some(slot) => *slot = x,
-            None => return Err(not_settable(self, variable)),
-        }
-        Ok(())
+        self.set_value(variable, value)
     }
 
     fn get(&self, variable: usize) -> Result<Value, UnitError> {
-        let number = match variable {
-            var::ROTORS..var::X => self.rotors.get(variable).copied(),
-            var::X..var::X0 => self.state.get(variable - var::X).copied(),
-            var::X0..=var::Z0 => self.start.get(variable - var::X0).copied(),
-            var::INTEGRATOR => return Ok(Value::Text(self.integrator.name().into())),
-            _ => body_variables::value(&self.body, variable - var::BODY),
-        };
-        number.map(Value::Real).ok_or_else(|| no_such_variable(self, variable))
+        match variable {
+            var::INTEGRATOR => Ok(Value::Text(self.integrator.name().into())),
+            _ => self.get_double(variable).map(Value::Real),
+        }
     }
+
+    body_variables::doubles_at_once!();
 
     fn initialise(&mut self, _: &Grid) -> Result<(), UnitError> {
         body_variables::check(self, &self.body)?;

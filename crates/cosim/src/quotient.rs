@@ -1,10 +1,11 @@
 //! Exact fractions that are not brought to lowest terms.
 
+use std::cell::RefCell;
 use std::fmt;
 use std::sync::Arc;
 
 use cordon_spec::Scalar;
-use num_bigint::{BigInt, BigUint};
+use num_bigint::{BigInt, BigUint, Sign};
 use num_integer::Integer;
 use num_traits::One;
 
@@ -16,7 +17,8 @@ use cordon_core::scalar::ring_operators;
 ///
 /// The units of a swarm multiply by the same few constants step after step, so that their
 /// denominators are equal, or divide one another, and reducing every result (as
-/// [`Rational`] does) would cost far more than it saves. Equality is that of the numbers.
+/// [`Rational`] does) would cost far more than it saves. Equal denominators are mostly one in
+/// memory. Equality is that of the numbers.
 #[derive(Clone, Debug)]
 pub struct Quotient(Arc<Terms>);
 
@@ -24,22 +26,27 @@ pub struct Quotient(Arc<Terms>);
 struct Terms {
     num: BigInt,
     /// Positive.
-    den: BigUint,
+    den: Arc<BigUint>,
 }
 
 impl Quotient {
-    fn new(num: BigInt, den: BigUint) -> Self {
+    fn new(num: BigInt, den: Arc<BigUint>) -> Self {
         Self(Arc::new(Terms { num, den }))
+    }
+
+    fn den(&self) -> BigInt {
+        BigUint::clone(&self.0.den).into()
     }
 
     /// The number in lowest terms.
     pub fn to_rational(&self) -> Rational {
-        Rational::new(self.0.num.clone(), self.0.den.clone().into())
+        Rational::new(self.0.num.clone(), self.den())
     }
 
     /// The nearest double, ties to even.
     pub fn to_f64(&self) -> f64 {
-        exact::to_f64(&Rational::new_raw(self.0.num.clone(), self.0.den.clone().into()))
+        by_first_bits(&self.0.num, &self.0.den)
+            .unwrap_or_else(|| exact::quotient_to_f64(&self.0.num, &self.den()))
     }
 
     /// `double(numerator)/double(denominator)` of the fraction in lowest terms: three
@@ -60,7 +67,7 @@ impl Quotient {
         let (a, b) = (&*self.0, &*x.0);
         let scaled = |num: &BigInt, den: &BigUint| num * BigInt::from(den.clone());
         let num = scaled(&a.num, &b.den) - scaled(&b.num, &a.den);
-        Self::new(num, &a.den * &b.den).to_f64().abs()
+        Self::new(num, Arc::new(&*a.den * &*b.den)).to_f64().abs()
     }
 
     /// The first convergent of which a double is the nearest one, a simple fraction: `1/3` of
@@ -93,7 +100,7 @@ impl Quotient {
 
 impl From<&Rational> for Quotient {
     fn from(x: &Rational) -> Self {
-        Self::new(x.numer().clone(), x.denom().magnitude().clone())
+        Self::new(x.numer().clone(), Arc::new(x.denom().magnitude().clone()))
     }
 }
 
@@ -121,12 +128,15 @@ fn combined(
     operation: impl Fn(&BigInt, &BigInt) -> BigInt,
 ) -> Quotient {
     let (a, b) = (&*a.0, &*b.0);
-    if a.den == b.den {
+    if Arc::ptr_eq(&a.den, &b.den) || a.den == b.den {
         return Quotient::new(operation(&a.num, &b.num), a.den.clone());
     }
     let times = |num: &BigInt, factor: BigUint| num * BigInt::from(factor);
     let (small, large) = if a.den < b.den { (a, b) } else { (b, a) };
-    let (factor, rest) = large.den.div_rem(&small.den);
+    let (factor, rest) = match small.den.is_one() {
+        true => (BigUint::clone(&large.den), BigUint::default()),
+        false => large.den.div_rem(&small.den),
+    };
     if rest == BigUint::default() {
         let (x, y) = if a.den < b.den {
             (times(&a.num, factor), b.num.clone())
@@ -136,13 +146,76 @@ fn combined(
         return Quotient::new(operation(&x, &y), large.den.clone());
     }
     let common = a.den.lcm(&b.den);
-    let x = times(&a.num, &common / &a.den);
-    let y = times(&b.num, &common / &b.den);
-    Quotient::new(operation(&x, &y), common)
+    let x = times(&a.num, &common / &*a.den);
+    let y = times(&b.num, &common / &*b.den);
+    Quotient::new(operation(&x, &y), Arc::new(common))
 }
 
 fn product(a: &Quotient, b: &Quotient) -> Quotient {
-    Quotient::new(&a.0.num * &b.0.num, &a.0.den * &b.0.den)
+    Quotient::new(&a.0.num * &b.0.num, product_of_denominators(&a.0.den, &b.0.den))
+}
+
+thread_local! {
+    /// Two denominators and their product, as last asked for: the units of a swarm ask for the
+    /// same one after another.
+    static LAST: RefCell<Option<[Arc<BigUint>; 3]>> = const { RefCell::new(None) };
+
+    /// 0, 1 and 2, which every update asks for.
+    static SMALL: [Quotient; 3] = [0, 1, 2].map(whole);
+}
+
+fn whole(n: i32) -> Quotient {
+    Quotient::new(n.into(), Arc::new(BigUint::one()))
+}
+
+fn product_of_denominators(a: &Arc<BigUint>, b: &Arc<BigUint>) -> Arc<BigUint> {
+    for (one, other) in [(a, b), (b, a)] {
+        if one.is_one() {
+            return other.clone();
+        }
+    }
+    LAST.with_borrow_mut(|last| {
+        if let Some([x, y, product]) = last
+            && (Arc::ptr_eq(x, a) || x == a)
+            && (Arc::ptr_eq(y, b) || y == b)
+        {
+            return product.clone();
+        }
+        let product = Arc::new(&**a * &**b);
+        *last = Some([a.clone(), b.clone(), product.clone()]);
+        product
+    })
+}
+
+/// The nearest double of num/den, where the first 64 bits of both decide it.
+fn by_first_bits(num: &BigInt, den: &BigUint) -> Option<f64> {
+    let (n, below_n) = first_bits(num.magnitude())?;
+    let (d, below_d) = first_bits(den)?;
+    if n == u64::MAX {
+        return None;
+    }
+    // Between these, over 2^64, is the quotient of all that begins with these bits.
+    let least = (u128::from(n) << 64) / (u128::from(d) + 1);
+    let most = (u128::from(n + 1) << 64) / u128::from(d) + 1;
+    let exponent = below_n - below_d - 64;
+    // Far from the ends of the range of doubles a power of two changes the exponent alone.
+    if least as f64 != most as f64 || !(-900..900).contains(&exponent) {
+        return None;
+    }
+    let size = least as f64 * 2.0_f64.powi(exponent as i32);
+    Some(if num.sign() == Sign::Minus { -size } else { size })
+}
+
+/// The first 64 bits of a number, the first of them 1, and how many more there are; fewer than none
+/// where zeros were added. `None` of zero.
+fn first_bits(x: &BigUint) -> Option<(u64, i64)> {
+    let mut digits = x.iter_u64_digits();
+    let more = 64 * (digits.len() as i64 - 1);
+    let first = digits.next_back()?;
+    let shift = first.leading_zeros();
+    let next = digits.next_back().unwrap_or_default();
+    let rest = next.checked_shr(u64::BITS - shift).unwrap_or_default();
+    Some((first << shift | rest, more - i64::from(shift)))
 }
 
 ring_operators!(
@@ -154,7 +227,8 @@ ring_operators!(
 
 impl Scalar for Quotient {
     fn from_int(n: i32) -> Self {
-        Self::new(n.into(), BigUint::one())
+        let small = usize::try_from(n).ok();
+        SMALL.with(|known| small.and_then(|n| known.get(n)).cloned()).unwrap_or_else(|| whole(n))
     }
 }
 
@@ -180,5 +254,39 @@ mod tests {
             assert_eq!(Quotient::simplest_of(x).unwrap().to_f64(), x);
         }
         assert_eq!(Quotient::simplest_of(f64::NAN), None);
+    }
+
+    /// The first bits decide all but a few, and decide as the whole numbers do.
+    #[test]
+    fn first_bits_round_as_all_bits_do() {
+        let (mut decided, mut asked) = (0, 0);
+        let mut state = 1_u64;
+        let mut random = |bits: u64| {
+            let mut x = BigUint::one();
+            while x.bits() < bits {
+                state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                x = (x << 32u8) + (state >> 32);
+            }
+            x
+        };
+        for bits in (1..1400).step_by(7) {
+            for other in [1, 53, 54, 64, 65, 700, 1300] {
+                let (num, den) = (BigInt::from(random(bits)), random(other));
+                let expected = exact::quotient_to_f64(&num, &den.clone().into());
+                asked += 1;
+                if let Some(x) = by_first_bits(&num, &den) {
+                    assert_eq!(x.to_bits(), expected.to_bits(), "{num}/{den}");
+                    assert_eq!(by_first_bits(&-num, &den), Some(-x));
+                    decided += 1;
+                }
+            }
+        }
+        assert!(asked == 1400 && decided > 1000, "{decided} of {asked}");
+        // Halfway between two doubles, and a hair beside it: the first bits alone cannot tell.
+        let half = (BigInt::one() << 400u32) * ((BigInt::one() << 53u8) + 1u8);
+        for beside in [-1, 0, 1] {
+            assert_eq!(by_first_bits(&(&half + beside), &(BigUint::one() << 420u32)), None);
+        }
+        assert_eq!(by_first_bits(&BigInt::default(), &BigUint::one()), None);
     }
 }

@@ -1,7 +1,62 @@
-//! What is kept of a run: desired and actual positions at every grid point.
+//! What is kept of a run: positions at every grid point, other variables where they are asked for.
 
 use super::collision::Event;
 use cordon_core::Rational;
+
+/// The directions in which drones are told where to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Along the line.
+    X,
+    /// Across it, for planar protocols.
+    Y,
+}
+
+impl Axis {
+    /// Its place among a body's three directions.
+    pub fn place(self) -> usize {
+        match self {
+            Self::X => 0,
+            Self::Y => 1,
+        }
+    }
+}
+
+/// Positions of all drones along an axis, in m: a number a drone, grid point by grid point.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Track {
+    /// Where they are told to be.
+    pub desired: Vec<f64>,
+    /// Where they are.
+    pub actual: Vec<f64>,
+}
+
+/// How high drones fly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Height {
+    /// Where all are told to be: z_d in m.
+    pub desired: f64,
+    /// Where they are, as for a [`Track`].
+    pub actual: Vec<f64>,
+}
+
+/// A variable of a unit, at every grid point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// `unit.variable`: `plant0.theta`.
+    pub name: String,
+    /// Symbol of its physical unit, `1` of a pure number.
+    pub unit: String,
+    /// A number a grid point; truth is 1.
+    pub values: Vec<f64>,
+}
+
+impl Series {
+    /// Head of its column: `plant0.theta [rad]`.
+    pub fn head(&self) -> String {
+        format!("{} [{}]", self.name, self.unit)
+    }
+}
 
 /// Desired and actual positions of a run at its grid points, and what happened.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,10 +67,14 @@ pub struct Record {
     pub count: usize,
     /// Grid points in seconds, ascending.
     pub times: Vec<f64>,
-    /// Desired positions in m: `count` numbers a grid point.
-    pub desired: Vec<f64>,
-    /// Actual positions in m: `count` numbers a grid point.
-    pub actual: Vec<f64>,
+    /// Along the line.
+    pub x: Track,
+    /// Across it, where drones fly in the plane.
+    pub y: Option<Track>,
+    /// How high they fly, where it is known.
+    pub height: Option<Height>,
+    /// Other variables, as they were asked for.
+    pub series: Vec<Series>,
     /// Collisions and violations of the order, by time, where they were looked for.
     pub events: Option<Vec<Event>>,
     /// What the run was made with, where it is known.
@@ -106,23 +165,40 @@ impl Setup {
 const MOST_LISTED: usize = 6;
 
 impl Record {
-    /// Desired positions at a grid point.
+    /// Desired positions along x at a grid point.
     pub fn desired_at(&self, row: usize) -> &[f64] {
-        slice(&self.desired, self.count, row)
+        self.at(&self.x.desired, row)
     }
 
-    /// Actual positions at a grid point.
+    /// Actual positions along x at a grid point.
     pub fn actual_at(&self, row: usize) -> &[f64] {
-        slice(&self.actual, self.count, row)
+        self.at(&self.x.actual, row)
+    }
+
+    /// A number a drone, at a grid point.
+    pub fn at<'n>(&self, numbers: &'n [f64], row: usize) -> &'n [f64] {
+        let from = row.saturating_mul(self.count);
+        numbers.get(from..from.saturating_add(self.count)).unwrap_or_default()
+    }
+
+    /// The axes along which drones fly.
+    pub fn tracks(&self) -> impl Iterator<Item = (Axis, &Track)> {
+        std::iter::once((Axis::X, &self.x)).chain(self.y.as_ref().map(|y| (Axis::Y, y)))
+    }
+
+    /// The columns of positions: how their names begin, and a number a drone and grid point.
+    pub fn positions(&self) -> impl Iterator<Item = (&'static str, &[f64])> {
+        self.tracks().flat_map(|(axis, track)| {
+            let (desired, actual) = match axis {
+                Axis::X => ("xd", "x"),
+                Axis::Y => ("yd", "y"),
+            };
+            [(desired, track.desired.as_slice()), (actual, track.actual.as_slice())]
+        })
     }
 
     /// The number of grid points.
     pub fn rows(&self) -> usize {
         self.times.len()
     }
-}
-
-fn slice(numbers: &[f64], count: usize, row: usize) -> &[f64] {
-    let from = row.saturating_mul(count);
-    numbers.get(from..from.saturating_add(count)).unwrap_or_default()
 }

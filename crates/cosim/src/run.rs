@@ -3,12 +3,13 @@
 use super::collision::{Sample, Watch};
 use super::coordination::Slot;
 use super::cosimulation::Cosimulation;
+use super::master::Master;
 use super::physics::Body;
 use super::plant::{Integrator, var};
-use super::record::Record;
+use super::record::{Axis, Height, Record, Track};
 use super::seat::Seat;
-use super::wiring::Port;
-use cordon_core::{Error, Result, progress};
+use super::selection;
+use cordon_core::{Error, Result, exact, progress};
 
 /// Most numbers of one record, half a gigabyte of doubles.
 const MAX_NUMBERS: u128 = 1 << 26;
@@ -30,56 +31,57 @@ pub fn run(swarm: &Cosimulation) -> Result<Record> {
 /// large.
 pub fn run_as_far_as_it_goes(swarm: &Cosimulation) -> Result<(Record, Result<()>)> {
     let count = swarm.count();
+    let wiring = swarm.wiring()?;
+    let (selected, mut series) = selection::select(&swarm.recorded_variables, wiring.units())?;
     let rows = u128::from(swarm.grid.steps()) + 1;
-    if rows * count as u128 * 2 > MAX_NUMBERS {
+    let a_row = count * swarm.axes().len() * 2 + series.len();
+    if rows * a_row as u128 > MAX_NUMBERS {
         return Err(Error::input(format!(
-            "duration: {count} drones at {rows} grid points: expected at most {} positions",
-            MAX_NUMBERS
+            "duration: {count} drones at {rows} grid points: expected at most {MAX_NUMBERS} \
+             positions and other values"
         )));
     }
-    let mut master = swarm.master()?;
+    let mut master = Master::new(wiring, swarm.grid.clone(), swarm.algorithm)?;
     progress::expect(swarm.grid.steps() + 1);
     // The limit above is far below what a usize holds.
-    let numbers = usize::try_from(rows).unwrap_or_default() * count;
+    let rows = usize::try_from(rows).unwrap_or_default();
+    let numbers = || Vec::with_capacity(rows * count);
+    let track = || Track { desired: numbers(), actual: numbers() };
+    series.iter_mut().for_each(|s| s.values.reserve_exact(rows));
     let mut record = Record {
         title: swarm.scenario.title.clone(),
         count,
-        times: Vec::with_capacity(numbers / count.max(1)),
-        desired: Vec::with_capacity(numbers),
-        actual: Vec::with_capacity(numbers),
+        times: Vec::with_capacity(rows),
+        x: track(),
+        y: swarm.across.as_ref().map(|_| track()),
+        height: Some(Height { desired: exact::to_f64(&swarm.z_d), actual: numbers() }),
+        series,
         events: None,
         setup: Some(swarm.setup()),
         notes: Vec::new(),
         broken_off: None,
     };
-    let desired = (0..count).map(|i| swarm.port(i, Slot::Desired)).collect::<Result<Vec<_>>>()?;
-    let mut watch = Watch::new(swarm.integrator, swarm.grid.tau_f64());
-    let gravity = Body::default().gravity;
-    let mut samples = vec![Sample::default(); count];
+    let mut row = Row::new(swarm)?;
+    let mut watch = swarm.watch();
+    let mut others = vec![0.0; record.series.len()];
     let mut accumulated = 0.0;
     let ended = master.run(|master, step| {
-        let last = record.times.last().copied().unwrap_or_default();
-        let mut wanted = Vec::with_capacity(count);
-        for (i, (sample, desired)) in samples.iter_mut().zip(&desired).enumerate() {
-            wanted.push(master.number(*desired, step)?);
-            let plant = |variable| Port { unit: Seat::plant(i).place(), variable };
-            let number = |variable| master.number(plant(variable), step);
-            sample.x = number(var::X)?;
-            // Euler's motion is a straight line between the positions.
-            if swarm.integrator == Integrator::Exact {
-                sample.v = number(var::VX)?;
-                sample.a = gravity * number(var::THETA)?;
-                sample.jerk = gravity * number(var::VTHETA)?;
-            }
+        row.read(master, step)?;
+        let mut rest = others.as_mut_slice();
+        for unit in &selected {
+            let values;
+            (values, rest) = rest.split_at_mut(unit.variables.len());
+            master.numbers(unit.unit, &unit.variables, values, step)?;
         }
         // Whole rows only.
-        record.desired.extend(wanted);
-        record.actual.extend(samples.iter().map(|s| s.x));
+        let last = record.times.last().copied().unwrap_or_default();
+        row.keep(&mut record);
+        record.series.iter_mut().zip(&others).for_each(|(s, x)| s.values.push(*x));
         // The recorded runs added up their time in doubles.
         let time = if swarm.recorded { accumulated } else { master.grid().time_f64(step) };
         accumulated += master.grid().tau_f64();
         record.times.push(time);
-        watch.next(last, &samples);
+        watch.next(last, &row.samples);
         progress::advance(1);
         Ok(())
     });
@@ -93,5 +95,110 @@ pub fn run_as_far_as_it_goes(swarm: &Cosimulation) -> Result<(Record, Result<()>
             Ok((record, Err(e)))
         }
         Ok(()) => Ok((record, Ok(()))),
+    }
+}
+
+impl Cosimulation {
+    /// What looks for collisions of this swarm.
+    fn watch(&self) -> Watch {
+        let tau = self.grid.tau_f64();
+        match self.across {
+            None => Watch::new(self.integrator, tau),
+            Some(_) => Watch::in_plane(self.integrator, tau, Body::default().touching()),
+        }
+    }
+}
+
+/// What is read at a grid point.
+struct Row {
+    axes: &'static [Axis],
+    /// Of each drone the place of the desired positions, axis by axis, in its coordination unit.
+    desired: Vec<Vec<usize>>,
+    /// What is read of every plant: axis by axis the place and, unless it moves on straight lines,
+    /// speed, attitude and turning; then the height.
+    plant: Vec<usize>,
+    wanted: Vec<Vec<f64>>,
+    samples: Vec<Vec<Sample>>,
+    heights: Vec<f64>,
+}
+
+impl Row {
+    fn new(swarm: &Cosimulation) -> Result<Self> {
+        let (axes, count) = (swarm.axes(), swarm.count());
+        let slot = |axis: &Axis| match axis {
+            Axis::X => Slot::Desired,
+            Axis::Y => Slot::DesiredAcross,
+        };
+        let desired = (0..count).map(|i| {
+            let unit = swarm.coordination(i);
+            let place = |axis| {
+                unit.place(slot(axis)).ok_or_else(|| Error::internal("expected a desired position"))
+            };
+            axes.iter().map(place).collect::<Result<_>>()
+        });
+        let mut plant = Vec::new();
+        for axis in axes {
+            plant.push(var::X + axis.place());
+            if swarm.integrator == Integrator::Exact {
+                let (attitude, turning) = match axis {
+                    Axis::X => (var::THETA, var::VTHETA),
+                    Axis::Y => (var::PHI, var::VPHI),
+                };
+                plant.extend([var::VX + axis.place(), attitude, turning]);
+            }
+        }
+        plant.push(var::Z);
+        Ok(Self {
+            axes,
+            desired: desired.collect::<Result<_>>()?,
+            plant,
+            wanted: vec![vec![0.0; count]; axes.len()],
+            samples: vec![vec![Sample::default(); count]; axes.len()],
+            heights: vec![0.0; count],
+        })
+    }
+
+    fn read(&mut self, master: &Master, step: u64) -> Result<()> {
+        let gravity = Body::default().gravity;
+        let mut wanted = vec![0.0; self.axes.len()];
+        let mut read = vec![0.0; self.plant.len()];
+        let members = (read.len() - 1) / self.axes.len().max(1);
+        for (i, (places, height)) in self.desired.iter().zip(&mut self.heights).enumerate() {
+            master.numbers(Seat::coordination(i).place(), places, &mut wanted, step)?;
+            master.numbers(Seat::plant(i).place(), &self.plant, &mut read, step)?;
+            *height = read.last().copied().unwrap_or_default();
+            let axes = self.axes.iter().zip(read.chunks(members)).zip(&wanted);
+            let kept = self.samples.iter_mut().zip(&mut self.wanted);
+            for (((axis, read), x_d), (samples, wanted)) in axes.zip(kept) {
+                // A roll to the right, phi > 0, is a push towards -y.
+                let push = match axis {
+                    Axis::X => gravity,
+                    Axis::Y => -gravity,
+                };
+                let sample = match *read {
+                    [x, v, angle, turning] => {
+                        Sample { x, v, a: push * angle, jerk: push * turning }
+                    }
+                    // Euler's motion is a straight line between the positions.
+                    [x, ..] => Sample { x, ..Sample::default() },
+                    [] => Sample::default(),
+                };
+                if let (Some(kept), Some(d)) = (samples.get_mut(i), wanted.get_mut(i)) {
+                    (*kept, *d) = (sample, *x_d);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn keep(&self, record: &mut Record) {
+        let tracks = [Some(&mut record.x), record.y.as_mut()].into_iter().flatten();
+        for (track, (samples, wanted)) in tracks.zip(self.samples.iter().zip(&self.wanted)) {
+            track.desired.extend_from_slice(wanted);
+            track.actual.extend(samples.iter().map(|s| s.x));
+        }
+        if let Some(height) = &mut record.height {
+            height.actual.extend_from_slice(&self.heights);
+        }
     }
 }

@@ -19,7 +19,7 @@ pub use json::json;
 /// A form of a run file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// Comma-separated values: time, desired and actual positions
+    /// Comma-separated values: time, positions, other variables
     Csv,
     /// JSON, schema cordon-cosim/1, with collisions and violations of the order
     Json,
@@ -156,23 +156,27 @@ fn check(name: &str, record: &Record) -> Result<()> {
         ));
     }
     let numbers = record.rows() * record.count;
-    if record.desired.len() != numbers || record.actual.len() != numbers {
-        return fail(format!(
-            "{} desired and {} actual positions: expected {numbers} of each, {} drones at {} times",
-            record.desired.len(),
-            record.actual.len(),
-            record.count,
-            record.rows()
-        ));
-    }
-    let not_finite = |x: &f64| !x.is_finite();
-    for (what, numbers) in
-        [("time", &record.times), ("desired", &record.desired), ("actual", &record.actual)]
-    {
-        if let Some(place) = numbers.iter().position(not_finite) {
-            let row = if what == "time" { place } else { place / record.count };
-            return fail(format!("{what} at row {row}: expected a finite number"));
+    for (_, track) in record.tracks() {
+        if track.desired.len() != numbers || track.actual.len() != numbers {
+            return fail(format!(
+                "{} desired and {} actual positions: expected {numbers} of each, {} drones at {} times",
+                track.desired.len(),
+                track.actual.len(),
+                record.count,
+                record.rows()
+            ));
         }
+    }
+    let heights = record.height.iter().map(|h| ("heights", h.actual.len(), numbers));
+    let series = record.series.iter().map(|s| (s.name.as_str(), s.values.len(), record.rows()));
+    if let Some((what, found, expected)) = heights.chain(series).find(|(_, n, wanted)| n != wanted)
+    {
+        return fail(format!("{what}: {found} numbers: expected {expected}"));
+    }
+    // JSON has no other numbers, and the reader of CSV takes none.
+    let not_finite = |x: &f64| !x.is_finite();
+    if let Some(row) = record.times.iter().position(not_finite) {
+        return fail(format!("time at row {row}: expected a finite number"));
     }
     let pairs = record.times.windows(2);
     match pairs.zip(1..).find(|(pair, _)| matches!(pair, [a, b] if a >= b)) {

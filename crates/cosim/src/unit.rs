@@ -31,6 +31,28 @@ pub trait Unit: Send {
     /// There is no such variable, or its value cannot be had.
     fn get(&self, variable: usize) -> Result<Value, UnitError>;
 
+    /// The present values of several numbers, as doubles; not a number where one is none.
+    ///
+    /// # Errors
+    /// As for [`get`](Unit::get).
+    fn get_reals(&self, variables: &[usize], into: &mut [f64]) -> Result<(), UnitError> {
+        for (&variable, x) in variables.iter().zip(into) {
+            *x = self.get(variable)?.to_f64().unwrap_or(f64::NAN);
+        }
+        Ok(())
+    }
+
+    /// Sets several real parameters or inputs.
+    ///
+    /// # Errors
+    /// As for [`set`](Unit::set).
+    fn set_reals(&mut self, variables: &[usize], values: &[f64]) -> Result<(), UnitError> {
+        for (&variable, &x) in variables.iter().zip(values) {
+            self.set(variable, &Value::Real(x))?;
+        }
+        Ok(())
+    }
+
     /// Called once, after the parameters and before the first exchange: the unit learns the
     /// communication grid and puts itself into its initial state.
     ///

@@ -32,6 +32,10 @@ pub struct Args {
     /// Write the run into this file; the summary goes to stdout
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    /// Record these variables of units too: patterns over names like plant0.theta, where `*` stands
+    /// for any text, as in '*.w1,*.theta'
+    #[arg(long, value_name = "PATTERNS", value_delimiter = ',')]
+    variables: Vec<String>,
     /// Form of the run [default: by the name of `--out`; without it a summary is printed]
     #[arg(long, value_parser = choice::<Format>())]
     format: Option<Format>,
@@ -191,7 +195,8 @@ impl FlightArgs {
 /// Runs the co-simulation.
 pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let out_format = args.out.as_deref().map(|path| args.format_of(path)).transpose()?;
-    let swarm = args.flight.swarm(&args.scenario)?;
+    let mut swarm = args.flight.swarm(&args.scenario)?;
+    swarm.recorded_variables.clone_from(&args.variables);
     if let Some(batch) = Batch::of(&swarm)? {
         return batch::run(args, &swarm, &batch, out);
     }
@@ -256,7 +261,7 @@ impl Args {
 
 impl Choice for Format {
     const ALL: &'static [(&'static str, Self, &'static str)] = &[
-        ("csv", Self::Csv, "Comma-separated values: time, desired and actual positions"),
+        ("csv", Self::Csv, "Comma-separated values: time, positions, other variables"),
         (
             "json",
             Self::Json,

@@ -6,6 +6,7 @@ use crate::cli::table;
 use cordon_core::exact::fraction;
 use cordon_core::{Evidence, Rational, Result};
 use cordon_cosim::collision::{Event, EventKind};
+use cordon_cosim::physics::Body;
 use cordon_cosim::record::Record;
 
 /// Rows of the table, about.
@@ -40,31 +41,39 @@ pub fn text(record: &Record, known: Option<&Rational>, out: &mut dyn Write) -> R
 }
 
 fn positions(record: &Record, out: &mut dyn Write) -> Result<()> {
-    let shown = record.count.min(8);
+    let axes = record.tracks().count();
+    let shown = record.count.min(8 / axes.max(1));
     let last = record.rows().saturating_sub(1);
     let every = (last / ROWS).max(1);
     let mut head = vec!["t [s]".to_owned()];
-    head.extend((0..shown).map(|i| format!("x_d{i}")));
-    head.extend(table::names(shown));
+    for (name, _) in record.positions() {
+        let name = name.replace('d', "_d");
+        head.extend((0..shown).map(|i| format!("{name}{i}")));
+    }
     let mut rows = vec![head];
     let shown_rows = (0..=last).filter(|row| row % every == 0 || *row == last);
     for row in shown_rows {
         let time = record.times.get(row).copied().unwrap_or_default();
         let mut cells = vec![format!("{time:.2}")];
-        for positions in [record.desired_at(row), record.actual_at(row)] {
-            cells.extend(positions.iter().take(shown).map(|x| format!("{x:.2}")));
+        for (_, numbers) in record.positions() {
+            cells.extend(record.at(numbers, row).iter().take(shown).map(|x| format!("{x:.2}")));
         }
         rows.push(cells);
     }
     table::write(&rows, out)?;
-    if shown < record.count {
-        writeln!(
+    match (shown < record.count, axes) {
+        (true, 1) => writeln!(
             out,
             "(the first {shown} of {} drones; desired x_d, actual x, in m)",
             record.count
-        )?;
-    } else {
-        writeln!(out, "(desired x_d and actual x, in m)")?;
+        )?,
+        (true, _) => writeln!(
+            out,
+            "(the first {shown} of {} drones; desired x_d and y_d, actual x and y, in m)",
+            record.count
+        )?,
+        (false, 1) => writeln!(out, "(desired x_d and actual x, in m)")?,
+        (false, _) => writeln!(out, "(desired x_d and y_d, actual x and y, in m)")?,
     }
     Ok(())
 }
@@ -79,7 +88,7 @@ fn events(record: &Record, out: &mut dyn Write) -> Result<()> {
     if count(EventKind::Collision) == 0 {
         writeln!(out, "no collision, at the grid points and between them ({only})")?;
     }
-    if count(EventKind::OrderLost) == 0 {
+    if count(EventKind::OrderLost) == 0 && record.y.is_none() {
         writeln!(out, "the drones stay in order ({only})")?;
     }
     for event in events.iter().take(LISTED) {
@@ -91,11 +100,22 @@ fn events(record: &Record, out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
-/// The smallest gap of neighbours at the grid points.
+/// The smallest gap of neighbours at the grid points, or in the plane the smallest distance.
 fn smallest_gap(record: &Record, known: Option<&Rational>, out: &mut dyn Write) -> Result<()> {
+    let only = Evidence::ThisRunOnly;
+    if let Some(y) = &record.y {
+        let Some((distance, (i, j), row)) = nearest(record, &y.actual) else { return Ok(()) };
+        let time = record.times.get(row).copied().unwrap_or_default();
+        writeln!(
+            out,
+            "smallest distance {distance:.4} m, of drones {i} and {j} at {time:.2} s ({only}); \
+             at {:.1} m their arms touch",
+            Body::default().touching()
+        )?;
+        return Ok(());
+    }
     let Some((gap, i, row)) = least_gap(record) else { return Ok(()) };
     let time = record.times.get(row).copied().unwrap_or_default();
-    let only = Evidence::ThisRunOnly;
     write!(out, "smallest gap {gap:.4} m, of drones {i} and {} at {time:.2} s ({only})", i + 1)?;
     if let Some(known) = known {
         write!(out, "; never below {} m: see `cordon separation`", fraction(known))?;
@@ -112,7 +132,31 @@ pub fn least_gap(record: &Record) -> Option<(f64, usize, usize)> {
         gaps.map(move |(i, gap)| (gap, i, row))
     };
     let least = (0..record.rows()).flat_map(at).min_by(|a, b| a.0.total_cmp(&b.0));
-    least.filter(|_| record.events.is_some())
+    least.filter(|_| record.events.is_some() && record.y.is_none())
+}
+
+/// The smallest distance of two drones in the plane, which two, and in which row.
+fn nearest(record: &Record, across: &[f64]) -> Option<(f64, (usize, usize), usize)> {
+    let mut least: Option<(f64, (usize, usize), usize)> = None;
+    for row in 0..record.rows() {
+        let (x, y) = (record.actual_at(row), record.at(across, row));
+        let mut drones: Vec<_> = x.iter().zip(y).enumerate().collect();
+        drones.sort_by(|(_, a), (_, b)| a.0.total_cmp(b.0));
+        for (place, (i, (x_i, y_i))) in drones.iter().enumerate() {
+            for (j, (x_j, y_j)) in drones.iter().skip(place + 1) {
+                let gap = **x_j - **x_i;
+                if least.is_some_and(|(d, ..)| gap >= d) {
+                    // Those farther along x are farther off.
+                    break;
+                }
+                let distance = gap.hypot(**y_j - **y_i);
+                if least.is_none_or(|(d, ..)| distance < d) {
+                    least = Some((distance, (*i.min(j), *i.max(j)), row));
+                }
+            }
+        }
+    }
+    least
 }
 
 /// An event in words.

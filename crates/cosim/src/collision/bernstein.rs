@@ -1,7 +1,10 @@
-//! Polynomials of degree four on [0, 1] in Bernstein form: their coefficients enclose them.
+//! Polynomials on [0, 1] in Bernstein form: their coefficients enclose them.
 
-/// Degree of a distance within a step: a chain of four integrators.
-pub(super) const DEGREE: usize = 4;
+/// Coefficients of a motion within a step, of degree 4: a chain of four integrators.
+pub(super) const MOTION: usize = 5;
+
+/// Coefficients of the square of one.
+pub(super) const SQUARE: usize = 2 * MOTION - 1;
 
 /// Halvings until a zero is read off a straight line. Around a double zero rounding blurs the
 /// sign over about 1e-8 of the step, so that more would find noise.
@@ -12,9 +15,9 @@ const RESOLUTION: f64 = 1e-6;
 
 /// Coefficients in Bernstein form. The first and the last are the values at 0 and 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Bernstein(pub(super) [f64; DEGREE + 1]);
+pub(super) struct Bernstein<const N: usize>(pub(super) [f64; N]);
 
-impl Bernstein {
+impl Bernstein<MOTION> {
     /// The straight line from `a` to `b`.
     pub(super) fn line(a: f64, b: f64) -> Self {
         let d = b - a;
@@ -22,7 +25,7 @@ impl Bernstein {
     }
 
     /// The polynomial with these coefficients of 1, s, .., s^4.
-    pub(super) fn from_powers([c0, c1, c2, c3, c4]: [f64; DEGREE + 1]) -> Self {
+    pub(super) fn from_powers([c0, c1, c2, c3, c4]: [f64; MOTION]) -> Self {
         Self([
             c0,
             c0 + c1 / 4.0,
@@ -34,8 +37,36 @@ impl Bernstein {
 
     /// The same but for the value at 1.
     pub(super) fn ending_at(mut self, end: f64) -> Self {
-        self.0[DEGREE] = end;
+        self.0[MOTION - 1] = end;
         self
+    }
+
+    pub(super) fn squared(&self) -> Bernstein<SQUARE> {
+        // Choices of k out of 4, and out of 8.
+        const MOTIONS: [f64; MOTION] = [1.0, 4.0, 6.0, 4.0, 1.0];
+        const SQUARES: [f64; SQUARE] = [1.0, 8.0, 28.0, 56.0, 70.0, 56.0, 28.0, 8.0, 1.0];
+        let mut square = [0.0; SQUARE];
+        for (i, (a, of_a)) in self.0.iter().zip(MOTIONS).enumerate() {
+            for ((b, of_b), k) in self.0.iter().zip(MOTIONS).zip(i..) {
+                square[k] += of_a * of_b / SQUARES[k] * a * b;
+            }
+        }
+        Bernstein(square)
+    }
+}
+
+impl<const N: usize> Bernstein<N> {
+    /// The same everywhere.
+    pub(super) fn constant(value: f64) -> Self {
+        Self([value; N])
+    }
+
+    pub(super) fn plus(&self, other: &Self) -> Self {
+        let mut sum = *self;
+        for (a, b) in sum.0.iter_mut().zip(other.0) {
+            *a += b;
+        }
+        sum
     }
 
     pub(super) fn minus(&self, other: &Self) -> Self {
@@ -58,17 +89,17 @@ impl Bernstein {
 
     /// The value at `s` in [0, 1].
     pub(super) fn at(&self, s: f64) -> f64 {
-        self.split(s).0.0[DEGREE]
+        self.split(s).0.0[N - 1]
     }
 
     /// The polynomial on [0, s] and on [s, 1] (de Casteljau).
     fn split(&self, s: f64) -> (Self, Self) {
         let mut row = self.0;
-        let (mut left, mut right) = ([0.0; DEGREE + 1], [0.0; DEGREE + 1]);
-        for k in 0..=DEGREE {
+        let (mut left, mut right) = ([0.0; N], [0.0; N]);
+        for k in 0..N {
             left[k] = row[0];
-            right[DEGREE - k] = row[DEGREE - k];
-            for i in 0..DEGREE - k {
+            right[N - 1 - k] = row[N - 1 - k];
+            for i in 0..N - 1 - k {
                 row[i] += s * (row[i + 1] - row[i]);
             }
         }
@@ -91,12 +122,13 @@ impl Bernstein {
     }
 
     fn collect_zeros(&self, from: f64, to: f64, halvings: u32, zeros: &mut Vec<f64>) {
-        let [first, inner @ .., last] = self.0;
+        let [first, inner @ .., last] = self.0.as_slice() else { return };
+        let (first, last) = (*first, *last);
         if inner.iter().all(|c| *c == 0.0) && first == 0.0 && last == 0.0 {
             return;
         }
         // The beginning belongs to the piece before.
-        let rest = || inner.into_iter().chain([last]);
+        let rest = || inner.iter().copied().chain([last]);
         let one_sign = rest().all(|c| c > 0.0) || rest().all(|c| c < 0.0);
         if one_sign && (first == 0.0 || (first > 0.0) == (last > 0.0)) {
             return;
@@ -107,7 +139,7 @@ impl Bernstein {
             zeros.push(if inside { from + (to - from) * crossing } else { to });
             return;
         }
-        let same = || std::iter::once(first).chain(inner);
+        let same = || std::iter::once(first).chain(inner.iter().copied());
         if last == 0.0 && (same().all(|c| c > 0.0) || same().all(|c| c < 0.0)) {
             zeros.push(to);
             return;

@@ -11,14 +11,14 @@ use super::{Law, Settings};
 use crate::quotient::Quotient;
 use crate::unit::Value;
 
-/// The state machine of one drone.
+/// The state machine of one drone. A state is there but while the spec turns it into the next.
 #[derive(Clone, Debug)]
 pub(super) enum Machine {
     /// Listing 6.
-    Local(Box<LocalParams<Quotient>>, SimState<Quotient>),
+    Local(Box<LocalParams<Quotient>>, Option<SimState<Quotient>>),
     /// Equations 6 and 8, seen from one drone: the drone itself is number 0, its neighbours
     /// follow, linked with it alone.
-    Star(Box<Star>, State<Vec<Quotient>>),
+    Star(Box<Star>, Option<State<Vec<Quotient>>>),
     /// A protocol file's rule.
     Own(Box<OwnMachine>),
 }
@@ -59,7 +59,7 @@ impl Machine {
                 std::iter::once(b).chain(others).collect()
             });
             let star = Star { weight: weight.clone(), counter_limit, displacements };
-            Self::Star(Box::new(star), State::initial(drones, counter_limit, settings.phase))
+            Self::Star(Box::new(star), Some(State::initial(drones, counter_limit, settings.phase)))
         };
         match &settings.law {
             Law::Coverage { id, count, min, max } => {
@@ -78,7 +78,7 @@ impl Machine {
                     Phase::Last => 0,
                 };
                 let st = LocalState { prec: own.clone(), own: own.clone(), foll: own, id: *id };
-                Self::Local(Box::new(params), SimState { timesteps, st })
+                Self::Local(Box::new(params), Some(SimState { timesteps, st }))
             }
             Law::Consensus { neighbours } => star(neighbours.len(), None),
             Law::Formation { neighbours, displacement } => {
@@ -94,8 +94,8 @@ impl Machine {
     /// Whether the next tick is an update, which reads the neighbours' positions.
     pub(super) fn fires(&self) -> bool {
         match self {
-            Self::Local(params, s) => params.ratio.reached_by(s.timesteps),
-            Self::Star(star, s) => s.timesteps == star.counter_limit,
+            Self::Local(params, _) => params.ratio.reached_by(self.counter()),
+            Self::Star(star, _) => self.counter() == star.counter_limit,
             Self::Own(own) => own.fires(),
         }
     }
@@ -108,29 +108,40 @@ impl Machine {
         }
     }
 
-    /// One tick; the drone's new position. `heard` has the neighbours' positions in order, or
-    /// is empty where the tick is no update.
-    pub(super) fn tick(&mut self, heard: Vec<Quotient>) -> Option<Quotient> {
+    /// One tick. `heard` has the neighbours' positions in order, or is empty where the tick is no
+    /// update.
+    pub(super) fn tick(&mut self, heard: Vec<Quotient>) {
         match self {
             Self::Local(params, s) => {
-                if let [prec, foll] = heard.as_slice() {
-                    (s.st.prec, s.st.foll) = (prec.clone(), foll.clone());
-                }
-                *s = fmu_tick(params, s.clone());
-                Some(s.st.own.clone())
+                *s = s.take().map(|mut s| {
+                    if let [prec, foll] = heard.as_slice() {
+                        (s.st.prec, s.st.foll) = (prec.clone(), foll.clone());
+                    }
+                    fmu_tick(params, s)
+                });
             }
             Self::Star(star, s) => {
-                for (place, x) in s.drones.iter_mut().skip(1).zip(heard) {
-                    *place = x;
-                }
-                let hub = Hub { count: s.drones.len() };
-                *s = s.clone().tick_with(star.counter_limit, |x| match &star.displacements {
-                    None => exec_consensus(&star.weight, &hub, x),
-                    Some(b) => exec_formation(&star.weight, &hub, x, b),
+                *s = s.take().map(|mut s| {
+                    for (place, x) in s.drones.iter_mut().skip(1).zip(heard) {
+                        *place = x;
+                    }
+                    let hub = Hub { count: s.drones.len() };
+                    s.tick_with(star.counter_limit, |x| match &star.displacements {
+                        None => exec_consensus(&star.weight, &hub, x),
+                        Some(b) => exec_formation(&star.weight, &hub, x, b),
+                    })
                 });
-                s.drones.first().cloned()
             }
             Self::Own(own) => own.tick(&heard),
+        }
+    }
+
+    /// The drone's position.
+    pub(super) fn position(&self) -> Option<&Quotient> {
+        match self {
+            Self::Local(_, s) => s.as_ref().map(|s| &s.st.own),
+            Self::Star(_, s) => s.as_ref().and_then(|s| s.drones.first()),
+            Self::Own(own) => own.position(),
         }
     }
 
@@ -161,9 +172,13 @@ impl Machine {
     /// Puts the drone back to where it was: an update that is skipped.
     pub(super) fn put_back(&mut self, own: Quotient) {
         match self {
-            Self::Local(_, s) => s.st.own = own,
+            Self::Local(_, s) => {
+                if let Some(s) = s {
+                    s.st.own = own;
+                }
+            }
             Self::Star(_, s) => {
-                if let Some(place) = s.drones.first_mut() {
+                if let Some(place) = s.as_mut().and_then(|s| s.drones.first_mut()) {
                     *place = own;
                 }
             }
@@ -174,8 +189,8 @@ impl Machine {
     /// Ticks since the last update.
     pub(super) fn counter(&self) -> u32 {
         match self {
-            Self::Local(_, s) => s.timesteps,
-            Self::Star(_, s) => s.timesteps,
+            Self::Local(_, s) => s.as_ref().map_or(0, |s| s.timesteps),
+            Self::Star(_, s) => s.as_ref().map_or(0, |s| s.timesteps),
             Self::Own(own) => own.counter,
         }
     }
@@ -184,8 +199,9 @@ impl Machine {
     pub(super) fn resume(&mut self, own: Quotient, counter: u32) {
         self.put_back(own);
         match self {
-            Self::Local(_, s) => s.timesteps = counter,
-            Self::Star(_, s) => s.timesteps = counter,
+            Self::Local(_, Some(s)) => s.timesteps = counter,
+            Self::Star(_, Some(s)) => s.timesteps = counter,
+            Self::Local(_, None) | Self::Star(_, None) => {}
             Self::Own(own) => own.counter = counter,
         }
     }

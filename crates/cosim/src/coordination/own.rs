@@ -20,6 +20,15 @@ pub(crate) fn position_of(system: &System) -> usize {
     system.variables.iter().position(|v| v.name == POSITION).unwrap_or(0)
 }
 
+/// The state variable that says where drones are to be across the line, in m.
+pub(crate) const ACROSS: &str = "y";
+
+/// Which variable of an agent of a planar protocol is its position across the line.
+pub(crate) fn across_of(system: &System) -> Option<usize> {
+    let found = system.variables.iter().position(|v| v.name == ACROSS);
+    found.filter(|place| *place != position_of(system))
+}
+
 /// What a protocol file has one drone do: the same in every step, or rules in turn.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OwnLaw {
@@ -27,6 +36,8 @@ pub struct OwnLaw {
     pub variables: Vec<String>,
     /// Which of them is the position.
     pub position: usize,
+    /// Which of them is the position across the line, of planar protocols.
+    pub across: Option<usize>,
     /// The drone's own variables at the start.
     pub start: Vec<Rational>,
     /// What it hears: of whom, which variable; in the order of its inputs.
@@ -67,6 +78,7 @@ impl OwnLaw {
         Self {
             variables: own.system.variables.iter().map(|v| v.name.clone()).collect(),
             position: position_of(&own.system),
+            across: across_of(&own.system),
             start: start.get(places(own, drone)).unwrap_or_default().to_vec(),
             updates: updates(own, drone, &heard),
             heard,
@@ -85,6 +97,11 @@ impl OwnLaw {
         }
         self.updates = updates(own, *drone, &self.heard);
         Ok(())
+    }
+
+    /// Whether a variable is a position.
+    pub(super) fn is_position(&self, variable: usize) -> bool {
+        variable == self.position || Some(variable) == self.across
     }
 
     /// The name of the input at which variable `v` of drone `j` is heard.
@@ -132,8 +149,16 @@ impl Law {
     /// Whether input `i` is a position.
     pub(super) fn hears_position(&self, i: usize) -> bool {
         match self {
-            Self::Own(law) => law.heard.get(i).is_none_or(|(_, v)| *v == law.position),
+            Self::Own(law) => law.heard.get(i).is_none_or(|(_, v)| law.is_position(*v)),
             _ => true,
+        }
+    }
+
+    /// The variable that is the position across the line, of planar protocols.
+    pub(super) fn across(&self) -> Option<usize> {
+        match self {
+            Self::Own(law) => law.across,
+            _ => None,
         }
     }
 }
@@ -176,11 +201,16 @@ impl OwnMachine {
         rows.any(|[_, _, heard]| heard.get(input).is_some_and(|a| !a.is_zero()))
     }
 
-    /// One tick; the new position. `heard` is read where the tick is an update.
-    pub fn tick(&mut self, heard: &[Quotient]) -> Option<Quotient> {
+    /// The drone's position.
+    pub fn position(&self) -> Option<&Quotient> {
+        self.state.get(self.law.position)
+    }
+
+    /// One tick. `heard` is read where the tick is an update.
+    pub fn tick(&mut self, heard: &[Quotient]) {
         if !self.fires() {
             self.counter += 1;
-            return self.state.get(self.law.position).cloned();
+            return;
         }
         self.counter = 0;
         let turn = self.updates % (self.law.updates.len() as u64).max(1);
@@ -197,7 +227,6 @@ impl OwnMachine {
         let next = rows.iter().map(row).collect();
         self.before = std::mem::replace(&mut self.state, next);
         self.updates += 1;
-        self.state.get(self.law.position).cloned()
     }
 
     /// Undoes the last update of every variable: it was skipped.

@@ -17,6 +17,8 @@ pub enum Slot {
     Heard(usize),
     /// Output `x_d`: the desired position as a double.
     Desired,
+    /// Output `y_d`: the desired position across the line, of planar protocols.
+    DesiredAcross,
     /// Output `own`: the desired position, exact. Where positions travel exactly.
     Own,
     /// Output: another state variable of a protocol file than the position, as it travels to the
@@ -115,22 +117,28 @@ fn inputs(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
 }
 
 fn outputs(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
-    let mut output = |slot, name: &str, start, text| {
-        rows.push((slot, Variable::new(name, Dimension::METRE, Causality::Output, start, text)));
+    let mut output = |slot, name: &str, dimension, start, text| {
+        rows.push((slot, Variable::new(name, dimension, Causality::Output, start, text)));
     };
-    let rounded = Value::Real(exact::to_f64(&settings.start));
-    output(Slot::Desired, "x_d", rounded, "desired position, rounded to the nearest double");
+    let metre = Dimension::METRE;
+    let rounded = |x: &Rational| Value::Real(exact::to_f64(x));
+    let text = "desired position, rounded to the nearest double";
+    output(Slot::Desired, "x_d", metre, rounded(&settings.start), text);
     if settings.exchange == Exchange::Exact {
         let own = Value::Exact(Quotient::from(&settings.start));
-        output(Slot::Own, "own", own, "desired position, exact");
+        output(Slot::Own, "own", metre, own, "desired position, exact");
     }
     let Law::Own(law) = &settings.law else { return };
     for (v, start) in law.start.iter().enumerate() {
+        if Some(v) == law.across {
+            let text = "desired position across the line, rounded to the nearest double";
+            output(Slot::DesiredAcross, "y_d", metre, rounded(start), text);
+        }
         if v != law.position {
             let start = settings.exchange.send(&Quotient::from(start));
-            let (none, text) = (Dimension::NONE, "state variable, as it travels to other drones");
-            let name = law.named("own", v);
-            rows.push((Slot::Beside(v), Variable::new(name, none, Causality::Output, start, text)));
+            let dimension = if law.is_position(v) { metre } else { Dimension::NONE };
+            let text = "state variable, as it travels to other drones";
+            output(Slot::Beside(v), &law.named("own", v), dimension, start, text);
         }
     }
 }
@@ -164,7 +172,8 @@ fn parameters(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
                 }
                 for (v, start) in law.start.iter().enumerate().filter(|(v, _)| *v != law.position) {
                     let (name, text) = (law.named("start", v), "state variable at the start");
-                    parameter(Slot::StartOf(v), &name, none, exact(start), text);
+                    let dimension = if law.is_position(v) { metre } else { none };
+                    parameter(Slot::StartOf(v), &name, dimension, exact(start), text);
                 }
             }
         }

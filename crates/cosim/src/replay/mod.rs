@@ -3,8 +3,9 @@
 use serde_json::{Value, json};
 
 use crate::collision::{Event, Sample, Watch};
+use crate::physics::Body;
 use crate::plant::Integrator;
-use crate::record::Record;
+use crate::record::{Record, Track};
 use cordon_core::Result;
 use cordon_core::exact;
 
@@ -49,12 +50,13 @@ fn filled(template: &str, parts: &[(&str, &str)]) -> String {
 }
 
 fn data(record: &Record) -> Value {
-    let every = (record.rows() * record.count * 2).div_ceil(MAX_POSITIONS).max(1);
+    let a_drone = 2 * record.tracks().count() + usize::from(record.height.is_some());
+    let every = (record.rows() * record.count * a_drone).div_ceil(MAX_POSITIONS).max(1);
     let last = record.rows().saturating_sub(1);
     let rows: Vec<usize> = (0..=last).filter(|row| row % every == 0 || *row == last).collect();
     let rounded = |x: &f64| (x * 1e5).round() / 1e5;
-    let positions = |of: &dyn Fn(usize) -> Vec<f64>| -> Vec<Vec<f64>> {
-        rows.iter().map(|row| of(*row)).collect()
+    let positions = |numbers: &[f64]| -> Vec<Vec<f64>> {
+        rows.iter().map(|row| record.at(numbers, *row).iter().map(rounded).collect()).collect()
     };
     let events = match &record.events {
         Some(events) => events.clone(),
@@ -72,8 +74,19 @@ fn data(record: &Record) -> Value {
             Some([exact::to_f64(min), exact::to_f64(max)])
         }),
         "time": rows.iter().filter_map(|row| record.times.get(*row)).collect::<Vec<_>>(),
-        "desired": positions(&|row| record.desired_at(row).iter().map(rounded).collect()),
-        "actual": positions(&|row| record.actual_at(row).iter().map(rounded).collect()),
+        "desired": positions(&record.x.desired),
+        "actual": positions(&record.x.actual),
+        "across": record.y.as_ref().map(|y| {
+            json!({ "desired": positions(&y.desired), "actual": positions(&y.actual) })
+        }),
+        "reach": Body::default().touching(),
+        "height": record.height.as_ref().map(|height| {
+            let actual = positions(&height.actual).into_iter().map(|row| match row.as_slice() {
+                [first, rest @ ..] if rest.iter().all(|z| z == first) => json!(first),
+                _ => json!(row),
+            });
+            json!({ "desired": height.desired, "actual": actual.collect::<Vec<_>>() })
+        }),
         "events": events,
     })
 }
@@ -85,10 +98,14 @@ fn looked_for(record: &Record) -> Vec<Event> {
     let rows = || record.times.iter().enumerate();
     // Samples need not be equidistant: one watch a pair of them would lose the order in
     // between, so time is counted in samples and translated afterwards.
-    let mut watch = Watch::new(Integrator::Euler, 1.0);
+    let mut watch = match record.y {
+        None => Watch::new(Integrator::Euler, 1.0),
+        Some(_) => Watch::in_plane(Integrator::Euler, 1.0, Body::default().touching()),
+    };
     for (row, _) in rows() {
-        let samples: Vec<_> =
-            record.actual_at(row).iter().map(|x| Sample { x: *x, ..Sample::default() }).collect();
+        let sample = |x: &f64| Sample { x: *x, ..Sample::default() };
+        let axis = |track: &Track| record.at(&track.actual, row).iter().map(sample).collect();
+        let samples: Vec<Vec<_>> = record.tracks().map(|(_, track)| axis(track)).collect();
         watch.next((row as f64 - 1.0).max(0.0), &samples);
     }
     for event in watch.finish() {
@@ -129,4 +146,50 @@ fn escaped(text: &str) -> String {
         .replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::STYLE;
+
+    /// Relative luminance of a colour `#rrggbb` (WCAG 2.2).
+    fn luminance(colour: &str) -> f64 {
+        let channel = |at: usize| {
+            let c = f64::from(u8::from_str_radix(&colour[at..at + 2], 16).unwrap()) / 255.0;
+            if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+        };
+        0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
+    }
+
+    fn contrast(a: &str, b: &str) -> f64 {
+        let (a, b) = (luminance(a), luminance(b));
+        (a.max(b) + 0.05) / (a.min(b) + 0.05)
+    }
+
+    /// Texts stand out by 4.5 and lines by 3, light and dark, as WCAG asks.
+    #[test]
+    fn colours_stand_out() {
+        let mut compared = 0;
+        for theme in STYLE.split("--paper:").skip(1) {
+            let theme = format!("--paper:{}", theme.split('}').next().unwrap());
+            let colour = |name: &str| {
+                let from = theme.find(&format!("--{name}:")).unwrap();
+                theme[from..].split(['#', ';']).nth(1).map(|c| format!("#{c}")).unwrap()
+            };
+            let ground = [colour("paper"), colour("panel")];
+            let gaps = (0..7).map(|i| format!("gap-{i}"));
+            let texts = ["ink", "soft", "goal", "wrong", "drone"].map(str::to_owned);
+            for (least, names) in [(4.5, texts.to_vec()), (3.0, gaps.collect())] {
+                for (name, ground) in names.iter().flat_map(|n| ground.iter().map(move |g| (n, g)))
+                {
+                    let found = contrast(&colour(name), ground);
+                    assert!(found >= least, "{name} on {ground}: {found:.2}");
+                    compared += 1;
+                }
+            }
+        }
+        // Light, dark by the system, dark by hand.
+        assert_eq!(compared, 3 * 24);
+    }
 }

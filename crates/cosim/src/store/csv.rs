@@ -1,9 +1,15 @@
-//! Runs as comma-separated values: `time,xd0,..,x0,..`, the columns of the recorded runs.
+//! Runs as comma-separated values: `time,xd0,..,x0,..`, the columns of the recorded runs; then `yd0,..,y0,..`
+//! where drones fly in the plane, and the other variables with their units, `plant0.theta [rad]`.
 
 use std::io::Write;
+use std::sync::mpsc::sync_channel;
 
-use crate::record::Record;
+use crate::record::{Record, Series, Track};
+use cordon_core::text::cut;
 use cordon_core::{Error, Result};
+
+/// Bytes of the file that are handed on at once.
+const PIECE: usize = 1 << 17;
 
 /// Writes a head line, then one line a grid point. Every number is the shortest decimal that
 /// reads back as the same double.
@@ -11,21 +17,127 @@ use cordon_core::{Error, Result};
 /// # Errors
 /// `out` cannot be written.
 pub fn csv(record: &Record, out: &mut dyn Write) -> Result<()> {
-    write!(out, "time")?;
-    for prefix in ["xd", "x"] {
-        for i in 0..record.count {
-            write!(out, ",{prefix}{i}")?;
+    writeln!(out, "{}", heads(record).join(","))?;
+    // Numbers are put into words beside what becomes of them.
+    std::thread::scope(|scope| {
+        let (ready, pieces) = sync_channel::<Vec<u8>>(4);
+        scope.spawn(move || {
+            let mut piece = Vec::with_capacity(PIECE);
+            for row in 0..record.rows() {
+                line(record, row, &mut piece);
+                if piece.len() > PIECE / 2 || row + 1 == record.rows() {
+                    let full = std::mem::replace(&mut piece, Vec::with_capacity(PIECE));
+                    // Nobody reads on where writing failed.
+                    if ready.send(full).is_err() {
+                        return;
+                    }
+                }
+            }
+        });
+        pieces.into_iter().try_for_each(|piece| Ok(out.write_all(&piece)?))
+    })
+}
+
+/// The heads of all columns.
+pub(super) fn heads(record: &Record) -> Vec<String> {
+    let positions = record.positions().flat_map(|(prefix, _)| named(prefix, record.count));
+    let series = record.series.iter().map(|s| quoted(s.head()));
+    std::iter::once("time".to_owned()).chain(positions).chain(series).collect()
+}
+
+fn named(prefix: &str, count: usize) -> impl Iterator<Item = String> {
+    (0..count).map(move |i| format!("{prefix}{i}"))
+}
+
+fn line(record: &Record, row: usize, text: &mut Vec<u8>) {
+    number(record.times.get(row).copied().unwrap_or_default(), text);
+    let positions = record.positions().flat_map(|(_, numbers)| record.at(numbers, row));
+    let series = record.series.iter().filter_map(|s| s.values.get(row));
+    for x in positions.chain(series) {
+        text.push(b',');
+        number(*x, text);
+    }
+    text.push(b'\n');
+}
+
+/// A number as Rust writes it, `{:?}`.
+fn number(x: f64, text: &mut Vec<u8>) {
+    // Where two decimals are equally short and equally near, the printers differ: that takes a
+    // number of few binary places.
+    let places = x * 16_777_216.0;
+    let may_tie = places == places.trunc() && x != x.trunc();
+    if (1e-4..1e16).contains(&x.abs()) && !may_tie {
+        text.extend_from_slice(zmij::Buffer::new().format_finite(x).as_bytes());
+    } else {
+        // Zero, and what has an exponent.
+        text.extend_from_slice(format!("{x:?}").as_bytes());
+    }
+}
+
+/// A head as it stands in a line: names of other tools may have commas.
+fn quoted(head: String) -> String {
+    match head.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{}\"", head.replace('"', "\"\"").replace(['\n', '\r'], " ")),
+        false => head,
+    }
+}
+
+/// The heads of a line, as [`quoted`] has written them.
+fn unquoted(line: &str) -> Vec<String> {
+    let (mut heads, mut within) = (vec![String::new()], false);
+    let mut characters = line.chars().peekable();
+    while let Some(c) = characters.next() {
+        match c {
+            '"' if within && characters.next_if_eq(&'"').is_some() => push(&mut heads, c),
+            '"' => within = !within,
+            ',' if !within => heads.push(String::new()),
+            c => push(&mut heads, c),
         }
     }
-    writeln!(out)?;
-    for (row, time) in record.times.iter().enumerate() {
-        write!(out, "{time:?}")?;
-        for x in record.desired_at(row).iter().chain(record.actual_at(row)) {
-            write!(out, ",{x:?}")?;
-        }
-        writeln!(out)?;
+    heads
+}
+
+fn push(heads: &mut [String], c: char) {
+    if let Some(head) = heads.last_mut() {
+        head.push(c);
     }
-    Ok(())
+}
+
+/// A record without numbers, by the heads of its columns.
+fn shaped(name: &str, heads: &[String]) -> Option<Record> {
+    let (time, rest) = heads.split_first()?;
+    let count = rest.iter().zip(named("xd", usize::MAX)).take_while(|(a, b)| *a == b).count();
+    let block = |rest: &[String], prefix| {
+        let begins = rest.iter().zip(named(prefix, count)).take_while(|(a, b)| *a == b).count();
+        begins == count && count > 0
+    };
+    let after = |rest: &[String], n: usize| rest.get(n..).map(<[String]>::to_vec);
+    let rest = after(rest, count).filter(|rest| block(rest, "x"))?;
+    let mut rest = after(&rest, count)?;
+    let mut planar = false;
+    if block(&rest, "yd") {
+        rest = after(&rest, count).filter(|rest| block(rest, "y"))?;
+        rest = after(&rest, count)?;
+        planar = true;
+    }
+    let series = rest.iter().map(|head| {
+        let (name, unit) = head.strip_suffix(']')?.rsplit_once(" [")?;
+        Some(Series { name: name.to_owned(), unit: unit.to_owned(), values: Vec::new() })
+    });
+    let series = series.collect::<Option<_>>()?;
+    (time == "time").then(|| Record {
+        title: name.to_owned(),
+        count,
+        times: Vec::new(),
+        x: Track::default(),
+        y: planar.then(Track::default),
+        height: None,
+        series,
+        events: None,
+        setup: None,
+        notes: Vec::new(),
+        broken_off: None,
+    })
 }
 
 /// Reads what [`csv`] writes. `name` stands for the file in messages.
@@ -36,44 +148,81 @@ pub(super) fn parse(name: &str, text: &str) -> Result<Record> {
         return Err(fail(last, "the last line is cut off: expected an end of line".to_owned()));
     }
     let mut lines = text.lines().zip(1..);
-    let head = lines.next().map(|(head, _)| head).unwrap_or_default();
-    let columns = head.split(',').count();
-    let count = columns.saturating_sub(1) / 2;
-    let names = ["xd", "x"].into_iter().flat_map(|p| (0..count).map(move |i| format!("{p}{i}")));
-    let expected: Vec<String> = std::iter::once("time".to_owned()).chain(names).collect();
-    if count == 0 || !head.split(',').eq(expected.iter().map(String::as_str)) {
-        return Err(fail(
-            1,
-            "expected the columns time, xd0, xd1, .., x0, x1, .., of a co-simulated run".to_owned(),
-        ));
-    }
-    let mut record = Record {
-        title: name.to_owned(),
-        count,
-        times: Vec::new(),
-        desired: Vec::new(),
-        actual: Vec::new(),
-        events: None,
-        setup: None,
-        notes: Vec::new(),
-        broken_off: None,
-    };
+    let heads = unquoted(lines.next().map(|(head, _)| head).unwrap_or_default());
+    let mut record = shaped(name, &heads).ok_or_else(|| {
+        let what = "expected the columns time, xd0, xd1, .., x0, x1, .., of a co-simulated run, and \
+                    others with their units, `plant0.theta [rad]`";
+        fail(1, what.to_owned())
+    })?;
+    let (count, columns) = (record.count, heads.len());
     for (text, line) in lines {
         let fields = text.split(',').count();
         if fields != columns {
             return Err(fail(line, format!("{fields} fields: expected {columns}")));
         }
-        for (place, field) in text.split(',').enumerate() {
+        let mut numbers = Vec::with_capacity(columns);
+        for field in text.split(',') {
             let number = field.parse::<f64>().ok().filter(|x| x.is_finite());
-            let number =
-                number.ok_or_else(|| fail(line, format!("`{field}`: expected a finite number")))?;
-            match place {
-                0 => record.times.push(number),
-                p if p <= count => record.desired.push(number),
-                _ => record.actual.push(number),
-            }
+            let number = number.ok_or_else(|| {
+                fail(line, format!("`{}`: expected a finite number", cut(field, 40)))
+            })?;
+            numbers.push(number);
         }
+        let mut rest = numbers.into_iter();
+        record.times.extend(rest.next());
+        let tracks = [Some(&mut record.x), record.y.as_mut()].into_iter().flatten();
+        for track in tracks {
+            track.desired.extend(rest.by_ref().take(count));
+            track.actual.extend(rest.by_ref().take(count));
+        }
+        record.series.iter_mut().zip(rest).for_each(|(s, x)| s.values.push(x));
     }
     super::check(name, &record)?;
     Ok(record)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_written_as_rust_writes_them() {
+        let mut compared = 0;
+        let mut state = 1_u64;
+        let mut check = |x: f64| {
+            let mut text = Vec::new();
+            number(x, &mut text);
+            assert_eq!(String::from_utf8_lossy(&text), format!("{x:?}"));
+            compared += 1;
+        };
+        for exponent in -330..=310 {
+            for digits in ["1", "-1", "9.999999999999999", "1.2345678", "5e-1"] {
+                let (mantissa, shift) = digits.split_once('e').unwrap_or((digits, "0"));
+                let exponent = exponent + shift.parse::<i32>().unwrap_or_default();
+                if let Ok(x) = format!("{mantissa}e{exponent}").parse::<f64>()
+                    && x.is_finite()
+                {
+                    check(x);
+                }
+            }
+        }
+        for _ in 0..20_000 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            let x = f64::from_bits(state);
+            if x.is_finite() {
+                check(x);
+            }
+            check((state >> 20) as f64 / 1e9);
+            check((state >> 44) as f64 / 65_536.0);
+        }
+        assert!(compared > 40_000, "{compared}");
+    }
+
+    #[test]
+    fn heads_with_commas_come_back() {
+        for head in ["plant0.z [m]", "plant1.a[1,2] [1]", "plant1.\"q\",\" [m/s2]"] {
+            let line = format!("time,{},x", quoted(head.to_owned()));
+            assert_eq!(unquoted(&line), ["time", head, "x"]);
+        }
+    }
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::collision::{Event, EventKind};
 use crate::fingerprint::Fingerprint;
-use crate::record::{Flown, Record, Setup};
+use crate::record::{Flown, Height, Record, Series, Setup, Track};
 use cordon_core::exact;
 use cordon_core::{Error, Result};
 
@@ -24,6 +24,14 @@ struct Page {
     time: Vec<f64>,
     desired: Vec<Vec<f64>>,
     actual: Vec<Vec<f64>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    desired_y: Option<Vec<Vec<f64>>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    actual_y: Option<Vec<Vec<f64>>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    height: Option<HeightPage>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    variables: Vec<SeriesPage>,
     events: Option<Vec<EventPage>>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     notes: Vec<String>,
@@ -40,6 +48,8 @@ struct Companion {
     of: String,
     title: String,
     setup: Option<SetupPage>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    height: Option<HeightPage>,
     events: Option<Vec<EventPage>>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     notes: Vec<String>,
@@ -76,6 +86,29 @@ struct FlownPage {
 
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+struct HeightPage {
+    desired: f64,
+    actual: Vec<Heights>,
+}
+
+/// Heights at a grid point: of a swarm that takes off together one number says all.
+#[derive(Serialize, Deserialize)]
+#[serde(untagged)]
+enum Heights {
+    Same(f64),
+    Each(Vec<f64>),
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SeriesPage {
+    name: String,
+    unit: String,
+    values: Vec<f64>,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 struct EventPage {
     time: f64,
     kind: String,
@@ -87,14 +120,21 @@ struct EventPage {
 /// # Errors
 /// `out` cannot be written.
 pub fn json(record: &Record, out: &mut dyn Write) -> Result<()> {
+    let by_rows = |numbers: &[f64]| -> Vec<Vec<f64>> {
+        (0..record.rows()).map(|row| record.at(numbers, row).to_vec()).collect()
+    };
     let page = Page {
         schema: SCHEMA.to_owned(),
         title: record.title.clone(),
         setup: record.setup.as_ref().map(setup_page),
         drones: record.count,
         time: record.times.clone(),
-        desired: (0..record.rows()).map(|row| record.desired_at(row).to_vec()).collect(),
-        actual: (0..record.rows()).map(|row| record.actual_at(row).to_vec()).collect(),
+        desired: by_rows(&record.x.desired),
+        actual: by_rows(&record.x.actual),
+        desired_y: record.y.as_ref().map(|y| by_rows(&y.desired)),
+        actual_y: record.y.as_ref().map(|y| by_rows(&y.actual)),
+        height: height_page(record),
+        variables: record.series.iter().map(series_page).collect(),
         events: event_pages(record),
         notes: record.notes.clone(),
         broken_off: record.broken_off.clone(),
@@ -111,6 +151,7 @@ pub(super) fn companion(record: &Record, of: Fingerprint) -> Result<Vec<u8>> {
         of: of.hex(),
         title: record.title.clone(),
         setup: record.setup.as_ref().map(setup_page),
+        height: height_page(record),
         events: event_pages(record),
         notes: record.notes.clone(),
         broken_off: record.broken_off.clone(),
@@ -144,10 +185,40 @@ pub(super) fn accompany(
     record.title = companion.title;
     record.setup =
         companion.setup.map(|s| setup(s).map_err(|e| fail(e.to_string()))).transpose()?;
+    record.height = companion.height.map(|h| height(h, record.count)).transpose().map_err(fail)?;
     record.events = events(companion.events, record.count).map_err(fail)?;
     record.notes = companion.notes;
     record.broken_off = companion.broken_off;
-    Ok(())
+    super::check(name, record)
+}
+
+fn height_page(record: &Record) -> Option<HeightPage> {
+    let height = record.height.as_ref()?;
+    let row = |row| match record.at(&height.actual, row) {
+        [first, rest @ ..] if rest.iter().all(|z| z == first) => Heights::Same(*first),
+        heights => Heights::Each(heights.to_vec()),
+    };
+    Some(HeightPage { desired: height.desired, actual: (0..record.rows()).map(row).collect() })
+}
+
+fn height(page: HeightPage, count: usize) -> Result<Height, String> {
+    let mut actual = Vec::new();
+    for (row, heights) in page.actual.into_iter().enumerate() {
+        match heights {
+            Heights::Same(z) => actual.extend(std::iter::repeat_n(z, count)),
+            Heights::Each(heights) if heights.len() == count => actual.extend(heights),
+            Heights::Each(_) => {
+                return Err(format!(
+                    "height at row {row}: expected a number, or one for each of the {count} drones"
+                ));
+            }
+        }
+    }
+    Ok(Height { desired: page.desired, actual })
+}
+
+fn series_page(s: &Series) -> SeriesPage {
+    SeriesPage { name: s.name.clone(), unit: s.unit.clone(), values: s.values.clone() }
 }
 
 fn event_pages(record: &Record) -> Option<Vec<EventPage>> {
@@ -194,12 +265,22 @@ pub(super) fn parse(name: &str, text: &str) -> Result<Record> {
             None => Ok(rows.concat()),
         }
     };
+    let y = match (page.desired_y, page.actual_y) {
+        (Some(desired), Some(actual)) => {
+            Some(Track { desired: flat("desired_y", desired)?, actual: flat("actual_y", actual)? })
+        }
+        (None, None) => None,
+        _ => return Err(fail("desired_y, actual_y: expected both or none".to_owned())),
+    };
+    let series = page.variables.into_iter();
     let record = Record {
         title: page.title,
         count: page.drones,
         times: page.time,
-        desired: flat("desired", page.desired)?,
-        actual: flat("actual", page.actual)?,
+        x: Track { desired: flat("desired", page.desired)?, actual: flat("actual", page.actual)? },
+        y,
+        height: page.height.map(|h| height(h, page.drones)).transpose().map_err(fail)?,
+        series: series.map(|s| Series { name: s.name, unit: s.unit, values: s.values }).collect(),
         events: events(page.events, page.drones).map_err(fail)?,
         setup: page.setup.map(|s| setup(s).map_err(|e| fail(e.to_string()))).transpose()?,
         notes: page.notes,

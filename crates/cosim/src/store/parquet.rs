@@ -13,7 +13,7 @@ use parquet::schema::types::Type;
 use crate::record::Record;
 use cordon_core::{Error, Result};
 
-/// Writes the columns time, xd0, .., x0, ..
+/// Writes the columns of the CSV.
 ///
 /// # Errors
 /// `out` cannot be written.
@@ -25,12 +25,13 @@ pub(super) fn parquet(record: &Record, out: &mut dyn Write) -> Result<()> {
 
 fn encoded(record: &Record) -> Result<Vec<u8>, ParquetError> {
     let mut columns: Vec<(String, Vec<f64>)> = vec![("time".to_owned(), record.times.clone())];
-    for (prefix, numbers) in [("xd", &record.desired), ("x", &record.actual)] {
+    for (prefix, numbers) in record.positions() {
         for i in 0..record.count {
             let column = numbers.iter().skip(i).step_by(record.count).copied().collect();
             columns.push((format!("{prefix}{i}"), column));
         }
     }
+    columns.extend(record.series.iter().map(|s| (s.head(), s.values.clone())));
     let field = |(name, _): &(String, Vec<f64>)| {
         Type::primitive_type_builder(name, Physical::DOUBLE)
             .with_repetition(Repetition::REQUIRED)

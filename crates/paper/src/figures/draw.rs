@@ -85,7 +85,7 @@ impl Plot {
             .margin(14)
             .x_label_area_size(52)
             .y_label_area_size(86)
-            .build_cartesian_2d(0.0..self.seconds, low..high)?;
+            .build_cartesian_2d(self.across.0..self.across.1, low..high)?;
         chart
             .configure_mesh()
             .disable_x_mesh()
@@ -101,11 +101,17 @@ impl Plot {
             .label_style((font::NAME, 16))
             .axis_desc_style((font::NAME, 18))
             .draw()?;
-        let verticals = (1..).map(|k| f64::from(k) * self.grid).take_while(|t| *t < self.seconds);
+        let (from, to) = self.across;
+        let verticals = (0..).map(|k| f64::from(k) * self.grid).take_while(|t| *t < to);
+        let verticals = verticals.skip_while(|t| *t <= from);
         for t in verticals {
             chart.draw_series(LineSeries::new([(t, low), (t, high)], GRID))?;
         }
         for (line, colour) in self.lines.iter().zip(COLOURS.iter().cycle()) {
+            if let [dot] = line.points.as_slice() {
+                chart.draw_series([Circle::new(*dot, 9, colour.filled())])?;
+                continue;
+            }
             let points = line.points.iter().copied();
             chart.draw_series(LineSeries::new(points, colour.stroke_width(2)))?;
         }
@@ -114,7 +120,7 @@ impl Plot {
             chart.draw_series([Circle::new((*time, *x), 6, MARK.stroke_width(2))])?;
             let style = (font::NAME, 16).into_font().color(&MARK);
             // Below the lines, to the left of the moment.
-            let place = (*time - 0.3 * self.seconds, low + 0.035 * (high - low));
+            let place = (*time - 0.3 * (to - from), low + 0.035 * (high - low));
             chart.draw_series([Text::new(label.clone(), place, style)])?;
         }
         area.present()?;

@@ -1,4 +1,4 @@
-//! The paper's figures, drawn anew from co-simulated runs: 8 to 12, 15 and 16.
+//! The paper's figures, drawn anew from co-simulated runs: 8 to 16.
 
 #[cfg(feature = "figures")]
 mod draw;
@@ -35,6 +35,8 @@ enum Shown {
     Actual,
     /// The desired position of drone 2, one line a run.
     Centre,
+    /// Height over x at a moment, in hundredths of a second.
+    Side(i32),
 }
 
 /// A figure of the paper.
@@ -53,12 +55,14 @@ pub struct Figure {
 }
 
 /// The figures, by number.
-pub const FIGURES: [Figure; 7] = [
+pub const FIGURES: [Figure; 9] = [
     figure(8, Shown::Desired, &[2], 10),
     figure(9, Shown::Actual, &[2], 20),
     figure(10, Shown::Centre, &[1, 3, 5], 8),
     figure(11, Shown::Desired, &[7], 11),
     figure(12, Shown::Actual, &[7], 15),
+    figure(13, Shown::Side(0), &[2], 10),
+    figure(14, Shown::Side(965), &[2], 10),
     Figure { consensus: true, ..figure(15, Shown::Desired, &[3], 10) },
     Figure { consensus: true, ..figure(16, Shown::Actual, &[3], 20) },
 ];
@@ -89,10 +93,12 @@ pub struct Plot {
     title: String,
     /// Label of the vertical axis.
     label: &'static str,
-    seconds: f64,
-    /// Distance of the vertical grid lines in s.
+    /// Ends of the horizontal axis: seconds, or metres.
+    across: (f64, f64),
+    /// Distance of the vertical grid lines, as the axis counts.
     grid: f64,
     grid_label: String,
+    /// A line of one point is a dot.
     lines: Vec<Line>,
     /// Collisions within the time axis: time, position, label.
     marks: Vec<(f64, f64, String)>,
@@ -123,6 +129,7 @@ impl Figure {
                     points: points(record, 2, true),
                 })
                 .collect(),
+            Shown::Side(at) => runs.iter().flat_map(|(_, record)| side(record, at)).collect(),
             shown => runs
                 .iter()
                 .flat_map(|(_, record)| {
@@ -145,6 +152,8 @@ impl Figure {
             Shown::Centre => {
                 ("desired position x_d of drone 2 [m]", "desired position of the central drone")
             }
+            Shown::Side(0) => ("height z [m]", "the drones at the start"),
+            Shown::Side(_) => ("height z [m]", "the drones"),
         };
         let protocol = if self.consensus { "consensus" } else { "coverage" };
         let weight = match self.tenths {
@@ -153,13 +162,22 @@ impl Figure {
         };
         let grid_label = match self.shown {
             Shown::Centre => "time t [s]; grid lines every 0.5 s".to_owned(),
+            Shown::Side(_) => "position x [m]".to_owned(),
             _ => format!("time t [s]; a grid line every eps = {} s", decimal(self.grid_tenths)),
         };
+        let moment = match self.shown {
+            Shown::Side(at) if at > 0 => format!(" at {:.2} s", f64::from(at) / 100.0),
+            _ => String::new(),
+        };
+        let (across, grid) = match self.shown {
+            Shown::Side(_) => ((-8.0, 108.0), 10.0),
+            _ => ((0.0, f64::from(self.seconds)), f64::from(self.grid_tenths) / 10.0),
+        };
         Ok(Plot {
-            title: format!("Fig. {}: {what}, {protocol}{weight}", self.number),
+            title: format!("Fig. {}: {what}{moment}, {protocol}{weight}", self.number),
             label,
-            seconds: f64::from(self.seconds),
-            grid: f64::from(self.grid_tenths) / 10.0,
+            across,
+            grid,
             grid_label,
             lines,
             marks,
@@ -226,6 +244,20 @@ fn points(record: &Record, drone: usize, desired: bool) -> Vec<(f64, f64)> {
         points.push((time, x));
     }
     points
+}
+
+/// The wanted height, and where every drone is at a moment: x and z.
+fn side(record: &Record, hundredths: i32) -> Vec<Line> {
+    let moment = f64::from(hundredths) / 100.0;
+    // The grid point that the moment stands for.
+    let row = record.times.iter().position(|t| *t > moment - 1e-9).unwrap_or_default();
+    let Some(height) = &record.height else { return Vec::new() };
+    let wanted = [-8.0, 108.0].map(|x| (x, height.desired));
+    let places = record.actual_at(row).iter().zip(record.at(&height.actual, row));
+    let drones = places
+        .enumerate()
+        .map(|(i, (&x, &z))| Line { name: format!("drone {i}"), points: vec![(x, z)] });
+    drones.chain([Line { name: "z_d".to_owned(), points: wanted.into() }]).collect()
 }
 
 fn collisions(record: &Record) -> Vec<(f64, f64, String)> {

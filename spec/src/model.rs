@@ -6,8 +6,8 @@
 //! else: an ordinary build has none of them.
 //!
 //! Three things are assumed rather than proved: [`exact`], that a scalar's arithmetic is that of
-//! the reals (`proofs/creusot/README.md` says of which scalars it is true); and, of Rust's own
-//! library, what the `extern_spec` blocks say.
+//! the reals (`proofs/creusot/README.md` says of which scalars it is true); of Rust's own library,
+//! what the `extern_spec` blocks say; and the promises of functions that are `trusted`.
 
 pub use creusot_std::logic::ops::IndexLogic as _;
 pub use creusot_std::logic::real::Real;

@@ -26,6 +26,7 @@ pub fn above_targets<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Verdict {
 }
 
 /// min <= X_i <= max for all i: the box, preserved for 0 <= eps <= 1/2.
+#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
 #[cfg_attr(feature = "contracts", ensures(decides(result, theorems::boxed(setting.model(), reals(x@)))))]
 pub fn in_box<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Verdict {

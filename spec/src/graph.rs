@@ -7,13 +7,34 @@ use crate::model::*;
 
 /// An undirected graph on the drones `0 .. count`: who hears whom.
 pub trait Graph {
+    /// The number of drones, for the contracts.
+    #[cfg(feature = "contracts")]
+    #[logic]
+    fn size(self) -> Int;
+
+    /// Whether drones `i` and `j` are linked, for the contracts.
+    #[cfg(feature = "contracts")]
+    #[logic]
+    fn edge(self, i: Int, j: Int) -> bool;
+
+    /// Links go both ways, and none leads from a drone to itself.
+    #[cfg(feature = "contracts")]
+    #[logic(law)]
+    #[ensures(self.edge(i, j) == self.edge(j, i) && !self.edge(i, i))]
+    fn undirected(self, i: Int, j: Int);
+
     /// The number of drones.
+    #[cfg_attr(feature = "contracts", ensures(result@ == self.size()))]
     fn count(&self) -> usize;
 
     /// Whether drones `i` and `j` are linked. Symmetric, and never true of `i == j`.
+    #[cfg_attr(feature = "contracts", requires(i@ < self.size() && j@ < self.size()))]
+    #[cfg_attr(feature = "contracts", ensures(result == self.edge(i@, j@)))]
     fn linked(&self, i: usize, j: usize) -> bool;
 
     /// A range that contains every neighbour of `i`; narrower where the graph knows better.
+    #[cfg_attr(feature = "contracts", requires(_i@ < self.size()))]
+    #[cfg_attr(feature = "contracts", ensures(hears(*self, _i@, result)))]
     fn neighbourhood(&self, _i: usize) -> Range<usize> {
         0..self.count()
     }
@@ -28,14 +49,36 @@ pub struct Path {
 }
 
 impl Graph for Path {
+    #[cfg(feature = "contracts")]
+    #[logic(open)]
+    fn size(self) -> Int {
+        self.count.view()
+    }
+
+    #[cfg(feature = "contracts")]
+    #[logic(open)]
+    fn edge(self, i: Int, j: Int) -> bool {
+        i == j + 1 || j == i + 1
+    }
+
+    #[cfg(feature = "contracts")]
+    #[logic(law)]
+    #[ensures(self.edge(i, j) == self.edge(j, i) && !self.edge(i, i))]
+    fn undirected(self, i: Int, j: Int) {}
+
+    #[cfg_attr(feature = "contracts", ensures(result@ == self.size()))]
     fn count(&self) -> usize {
         self.count
     }
 
+    #[cfg_attr(feature = "contracts", requires(i@ < self.size() && j@ < self.size()))]
+    #[cfg_attr(feature = "contracts", ensures(result == self.edge(i@, j@)))]
     fn linked(&self, i: usize, j: usize) -> bool {
         i.abs_diff(j) == 1 && i.max(j) < self.count
     }
 
+    #[cfg_attr(feature = "contracts", requires(i@ < self.size()))]
+    #[cfg_attr(feature = "contracts", ensures(hears(*self, i@, result)))]
     fn neighbourhood(&self, i: usize) -> Range<usize> {
         i.saturating_sub(1)..i.saturating_add(2).min(self.count)
     }
@@ -52,12 +95,33 @@ pub struct Edges<'e> {
 }
 
 impl Graph for Edges<'_> {
+    #[cfg(feature = "contracts")]
+    #[logic(open)]
+    fn size(self) -> Int {
+        self.count.view()
+    }
+
+    #[cfg(feature = "contracts")]
+    #[logic(open)]
+    fn edge(self, i: Int, j: Int) -> bool {
+        pearlite! {
+            i != j && exists<k> 0 <= k && k < self.edges@.len() && joins(self.edges@[k], i, j)
+        }
+    }
+
+    #[cfg(feature = "contracts")]
+    #[logic(law)]
+    #[ensures(self.edge(i, j) == self.edge(j, i) && !self.edge(i, i))]
+    fn undirected(self, i: Int, j: Int) {}
+
+    #[cfg_attr(feature = "contracts", ensures(result@ == self.size()))]
     fn count(&self) -> usize {
         self.count
     }
 
-    // Trusted, without a promise: `any` has no contract.
-    #[cfg_attr(feature = "contracts", trusted)]
+    // Trusted: `any` has no contract.
+    #[cfg_attr(feature = "contracts", trusted, requires(i@ < self.size() && j@ < self.size()))]
+    #[cfg_attr(feature = "contracts", ensures(result == self.edge(i@, j@)))]
     fn linked(&self, i: usize, j: usize) -> bool {
         i != j && self.edges.iter().any(|&e| e == (i, j) || e == (j, i))
     }

@@ -46,8 +46,6 @@ pub mod model;
 pub mod placement;
 pub mod scalar;
 pub mod state;
-// Creusot does not read the predicates: see proofs/creusot/README.md.
-#[cfg(not(creusot))]
 pub mod theorems;
 
 pub use drone_map::DroneMap;

@@ -6,25 +6,29 @@
 //! else: an ordinary build has none of them.
 //!
 //! Three things are assumed rather than proved: [`exact`], that a scalar's arithmetic is that of
-//! the reals (`proofs/creusot/README.md` says of which scalars it is true); and, of Rust's own
-//! library, what the `extern_spec` blocks say.
+//! the reals (`proofs/creusot/README.md` says of which scalars it is true); of Rust's own library,
+//! what the `extern_spec` blocks say; and the promises of functions that are `trusted`.
 
 pub use creusot_std::logic::ops::IndexLogic as _;
 pub use creusot_std::logic::real::Real;
 #[cfg(creusot)]
 pub use creusot_std::prelude::inv;
 pub use creusot_std::prelude::{
-    DeepModel, Int, OrdLogic, Seq, View, ensures, extern_spec, invariant, logic, pearlite,
-    proof_assert, requires, snapshot, trusted, variant,
+    DeepModel, Int, IteratorSpec, OrdLogic, Seq, Snapshot, View, ensures, extern_spec, invariant,
+    logic, pearlite, proof_assert, requires, snapshot, trusted, variant,
 };
 pub use creusot_std::std::ops::{FnExt as _, FnMutExt as _, FnOnceExt as _};
 
 pub mod theorems;
+pub mod verdicts;
+
+pub use self::verdicts::*;
 
 use core::convert::AsRef;
 use core::num::NonZero;
 use core::ops::{Add, Mul, Sub};
 
+use crate::graph::Graph;
 use crate::local::{LocalParams, SimState};
 use crate::{DroneMap, Ordered, Params, Scalar, State};
 
@@ -37,6 +41,9 @@ extern_spec! {
         }
         mod convert {
             trait AsRef<T> where T: ?Sized { fn as_ref(&self) -> &T; }
+        }
+        mod iter {
+            trait IntoIterator { fn into_iter(self) -> <Self as IntoIterator>::IntoIter; }
         }
         mod array {
             #[requires(forall<i: usize, g: F> i@ < N@ && f.hist_inv(g) ==> g.precondition((i,)))]
@@ -175,6 +182,62 @@ pub fn reads<'s, S: Scalar + 's, F: Fn(usize) -> &'s S>(position_of: F, x: Seq<R
 #[requires(0 <= n && n <= x.len())]
 pub fn total(x: Seq<Real>, n: Int) -> Real {
     if n == 0 { int(0) } else { total(x, n - 1) + x[n - 1] }
+}
+
+/// That the pair `e` links the drones `i` and `j`.
+#[logic(open)]
+pub fn joins(e: (usize, usize), i: Int, j: Int) -> bool {
+    pearlite! { e.0@ == i && e.1@ == j || e.0@ == j && e.1@ == i }
+}
+
+/// That every neighbour of drone `i` is in the range.
+#[logic(open)]
+pub fn hears<G: Graph + ?Sized>(g: G, i: Int, range: core::ops::Range<usize>) -> bool {
+    pearlite! {
+        range.start@ <= range.end@ && range.end@ <= g.size() && forall<j> 0 <= j && j < g.size()
+            && g.edge(i, j) ==> range.start@ <= j && j < range.end@
+    }
+}
+
+/// What drone `i` hears from drone `j`: their distance, if they are linked.
+#[logic(open)]
+pub fn heard<G: Graph>(g: G, x: Seq<Real>, i: Int, j: Int) -> Real {
+    if g.edge(i, j) { x[j] - x[i] } else { int(0) }
+}
+
+/// The sum of the distances of drone `i` from its neighbours among the first `n` drones.
+#[logic(open)]
+#[variant(n)]
+#[requires(n >= 0)]
+pub fn pull_of<G: Graph>(g: G, x: Seq<Real>, i: Int, n: Int) -> Real {
+    if n == 0 { int(0) } else { pull_of(g, x, i, n - 1) + heard(g, x, i, n - 1) }
+}
+
+/// The placement one consensus step after `x` (equation 6).
+#[logic(open)]
+pub fn consensus_step<G: Graph>(eps: Real, g: G, x: Seq<Real>) -> Seq<Real> {
+    Seq::create(x.len(), |i: Int| x[i] + eps * pull_of(g, x, i, x.len()))
+}
+
+/// Drones without a link add nothing.
+#[logic]
+#[variant(to)]
+#[requires(0 <= from && from <= to && forall<j> from <= j && j < to ==> !g.edge(i, j))]
+#[ensures(pull_of(g, x, i, to) == pull_of(g, x, i, from))]
+pub fn nobody_there<G: Graph>(g: G, x: Seq<Real>, i: Int, from: Int, to: Int) {
+    if from < to {
+        nobody_there(g, x, i, from, to - 1)
+    }
+}
+
+/// Whoever is in the range is all that drone `i` hears.
+#[logic]
+#[requires(hears(g, i, range) && g.size() == x.len())]
+#[ensures(pull_of(g, x, i, range.start.view()) == int(0))]
+#[ensures(pull_of(g, x, i, range.end.view()) == pull_of(g, x, i, x.len()))]
+pub fn range_is_all<G: Graph>(g: G, x: Seq<Real>, i: Int, range: core::ops::Range<usize>) {
+    nobody_there(g, x, i, 0, range.start.view());
+    nobody_there(g, x, i, range.end.view(), x.len())
 }
 
 /// The index of the last of `count` drones; 0 of none.

@@ -3,7 +3,10 @@
 
 use super::*;
 #[cfg(creusot)]
-use crate::coverage::kth_step;
+use crate::{
+    activation::exec_coverage_active, consensus::exec_consensus, coverage::kth_step,
+    delay::exec_coverage_delayed,
+};
 
 /// `0 <= eps <= 1/2`.
 #[logic(open)]
@@ -291,6 +294,161 @@ pub fn targets_are_fixed(p: Params<Real>, x: Seq<Real>) {
             ==> { target_is_fixed(p, x, i); true } && next_of(p, x, i) == x[i]);
         proof_assert!(step(p, x).ext_eq(x))
     }
+}
+
+/// That `y[i]` is on the same side of its target, and in the box, as all of `x` are.
+#[logic(open)]
+pub fn same_side(p: Params<Real>, x: Seq<Real>, y: Seq<Real>, i: Int) -> bool {
+    pearlite! {
+        (behind(p, x) ==> error(p.min, p.max, y, i) >= int(0))
+            && (ahead(p, x) ==> error(p.min, p.max, y, i) <= int(0))
+            && (boxed(p, x) ==> p.min <= y[i] && y[i] <= p.max)
+    }
+}
+
+/// The error of a drone is one of its own place.
+#[logic]
+#[requires(x.len() == y.len())]
+#[ensures(x[i] == y[i] ==> error(p.min, p.max, x, i) == error(p.min, p.max, y, i))]
+pub fn same_error(p: Params<Real>, x: Seq<Real>, y: Seq<Real>, i: Int) {}
+
+/// One drone that moves by what it sees, `x`, keeps the bounds that what it sees has.
+#[logic]
+#[requires(anchored(p, x) && up_to_half(p) && 0 <= i && i < x.len() && y.len() == x.len())]
+#[requires(y[i] == next_of(p, x, i) || y[i] == x[i])]
+#[ensures(same_side(p, x, y, i))]
+pub fn one_drone_keeps(p: Params<Real>, x: Seq<Real>, y: Seq<Real>, i: Int) {
+    pearlite! {
+        drone_keeps_side(p, x, i);
+        proof_assert!(step(p, x).len() == x.len() && step(p, x)[i] == next_of(p, x, i));
+        same_error(p, x, y, i);
+        same_error(p, step(p, x), y, i);
+        proof_assert!(boxed(p, x) ==> { drone_stays_boxed(p, x, i); true }
+            && p.min <= next_of(p, x, i) && next_of(p, x, i) <= p.max)
+    }
+}
+
+/// The sum of the pulls on the first `m` drones by the first `n`.
+#[logic(open)]
+#[variant(m)]
+#[requires(m >= 0 && n >= 0)]
+pub fn pulls<G: Graph>(g: G, x: Seq<Real>, m: Int, n: Int) -> Real {
+    if m == 0 { int(0) } else { pulls(g, x, m - 1, n) + pull_of(g, x, m - 1, n) }
+}
+
+/// What drone `n` adds to the pulls on the first `m` drones is what they add to its own, negated.
+#[logic]
+#[variant(m)]
+#[requires(m >= 0 && n >= 0)]
+#[ensures(pulls(g, x, m, n + 1) == pulls(g, x, m, n) - pull_of(g, x, n, m))]
+pub fn one_drone_more<G: Graph>(g: G, x: Seq<Real>, m: Int, n: Int) {
+    if m > 0 {
+        one_drone_more(g, x, m - 1, n);
+        g.undirected(m - 1, n)
+    }
+}
+
+/// The pulls of any number of drones on each other add up to nothing.
+#[logic]
+#[variant(n)]
+#[requires(n >= 0)]
+#[ensures(pulls(g, x, n, n) == int(0))]
+pub fn pulls_cancel<G: Graph>(g: G, x: Seq<Real>, n: Int) {
+    if n > 0 {
+        pulls_cancel(g, x, n - 1);
+        one_drone_more(g, x, n - 1, n - 1);
+        g.undirected(n - 1, n - 1)
+    }
+}
+
+/// A factor is distributed.
+#[logic]
+#[requires(s == a + b)]
+#[ensures(c * s == c * a + c * b)]
+pub fn scaled_sum(c: Real, s: Real, a: Real, b: Real) {}
+
+/// The sum of the first `m` drones after a consensus step.
+#[logic]
+#[variant(m)]
+#[requires(0 <= m && m <= x.len())]
+#[ensures(total(consensus_step(eps, g, x), m) == total(x, m) + eps * pulls(g, x, m, x.len()))]
+pub fn partial_sum<G: Graph>(eps: Real, g: G, x: Seq<Real>, m: Int) {
+    pearlite! {
+        if m > 0 {
+            partial_sum(eps, g, x, m - 1);
+            let (before, last) = (pulls(g, x, m - 1, x.len()), pull_of(g, x, m - 1, x.len()));
+            proof_assert!(consensus_step(eps, g, x)[m - 1] == x[m - 1] + eps * last);
+            proof_assert!(total(consensus_step(eps, g, x), m) == total(consensus_step(eps, g, x), m - 1) + consensus_step(eps, g, x)[m - 1]);
+            proof_assert!(total(x, m) == total(x, m - 1) + x[m - 1]);
+            proof_assert!(pulls(g, x, m, x.len()) == before + last);
+            scaled_sum(eps, pulls(g, x, m, x.len()), before, last)
+        }
+    }
+}
+
+/// Consensus keeps the sum, with any weight on any graph (PROTOCOL section 2).
+#[logic]
+#[ensures(total(consensus_step(eps, g, x), x.len()) == total(x, x.len()))]
+pub fn consensus_keeps_sum<G: Graph>(eps: Real, g: G, x: Seq<Real>) {
+    partial_sum(eps, g, x, x.len());
+    pulls_cancel(g, x, x.len())
+}
+
+/// [`consensus_keeps_sum`] of the code.
+#[cfg(creusot)]
+#[requires(exact::<S>() && graph.size() == x.seq().len())]
+#[ensures(total(reals(result.seq()), result.seq().len()) == total(reals(x.seq()), x.seq().len()))]
+pub fn exec_consensus_keeps_sum<S: Scalar, G: Graph, M: DroneMap<S>>(
+    eps: &S,
+    graph: &G,
+    x: &M,
+) -> M {
+    proof_assert!({
+        consensus_keeps_sum(eps.model(), *graph, reals(x.seq()));
+        true
+    });
+    exec_consensus(eps, graph, x)
+}
+
+/// Theorem 7.3, its mirror image and the box where any drones skip the step.
+#[cfg(creusot)]
+#[requires(exact::<S>() && anchored(p.model(), positions(*s)) && up_to_half(p.model()))]
+#[requires(forall<i: usize> i@ < s.drones.seq().len() ==> active.precondition((i,)))]
+#[ensures(behind(p.model(), positions(*s)) ==> behind(p.model(), positions(result)))]
+#[ensures(ahead(p.model(), positions(*s)) ==> ahead(p.model(), positions(result)))]
+#[ensures(boxed(p.model(), positions(*s)) ==> boxed(p.model(), positions(result)))]
+pub fn active_keeps<S: Scalar, M: DroneMap<S>>(
+    p: &Params<S>,
+    s: &State<M>,
+    active: impl Fn(usize) -> bool,
+) -> State<M> {
+    let result = exec_coverage_active(p, s, active);
+    proof_assert!(forall<i> 0 <= i && i < s.drones.seq().len()
+        ==> { one_drone_keeps(p.model(), positions(*s), positions(result), i); true }
+        && same_side(p.model(), positions(*s), positions(result), i));
+    result
+}
+
+/// Theorem 7.3, its mirror image and the box where drone `i` sees the placement `views[i]`: what
+/// all that is seen keeps, the drones keep.
+#[cfg(creusot)]
+#[requires(exact::<S>() && up_to_half(p.model()) && views.len() == s.drones.seq().len())]
+#[requires(forall<i> 0 <= i && i < views.len() ==> anchored(p.model(), views[i]) && sees(seen, positions(*s), i, views[i]))]
+#[requires(forall<i: usize, j: usize> i@ < s.drones.seq().len() && j@ < s.drones.seq().len() ==> seen.precondition((i, j)))]
+#[ensures((forall<i> 0 <= i && i < views.len() ==> behind(p.model(), views[i])) ==> behind(p.model(), positions(result)))]
+#[ensures((forall<i> 0 <= i && i < views.len() ==> ahead(p.model(), views[i])) ==> ahead(p.model(), positions(result)))]
+#[ensures((forall<i> 0 <= i && i < views.len() ==> boxed(p.model(), views[i])) ==> boxed(p.model(), positions(result)))]
+pub fn delayed_keeps<'s, S: Scalar + 's, M: DroneMap<S>>(
+    p: &'s Params<S>,
+    s: &'s State<M>,
+    seen: impl Fn(usize, usize) -> &'s S,
+    views: Snapshot<Seq<Seq<Real>>>,
+) -> State<M> {
+    let result = exec_coverage_delayed(p, s, seen);
+    proof_assert!(forall<i> 0 <= i && i < views.len()
+        ==> { one_drone_keeps(p.model(), views[i], positions(result), i); true }
+        && same_side(p.model(), views[i], positions(result), i));
+    result
 }
 
 /// Theorems 7.2, 7.3 and the box about [`kth_step`], for every k, every period and both phases.

@@ -1,5 +1,8 @@
 //! Theorem 7.6: the sum is constant exactly at the targets.
 
+#[cfg(feature = "contracts")]
+use crate::model::*;
+
 use super::hypothesis::at_targets;
 use super::verdict::{Subject, Truth, Verdict, Violation, equal};
 use super::{Form, Setting};
@@ -7,6 +10,7 @@ use crate::placement::sum;
 use crate::{Ordered, Scalar};
 
 /// How many steps beyond k both parts read.
+#[cfg_attr(feature = "contracts", trusted)]
 pub(super) fn span(form: Form, count: usize) -> usize {
     let internal = count.saturating_sub(2).max(1);
     match form {
@@ -17,6 +21,7 @@ pub(super) fn span(form: Form, count: usize) -> usize {
 }
 
 /// At the targets at step k: the sum (paper) or every drone (sharp) stays.
+#[cfg_attr(feature = "contracts", trusted)]
 pub(super) fn targets_fixed<S: Ordered, M: AsRef<[S]>>(
     form: Form,
     setting: &Setting<S>,
@@ -36,6 +41,7 @@ pub(super) fn targets_fixed<S: Ordered, M: AsRef<[S]>>(
 }
 
 /// A sum that stays over the span means that the drones were at their targets at step k.
+#[cfg_attr(feature = "contracts", trusted)]
 pub(super) fn constant_sum<S: Ordered, M: AsRef<[S]>>(
     setting: &Setting<S>,
     now: &[S],
@@ -47,6 +53,7 @@ pub(super) fn constant_sum<S: Ordered, M: AsRef<[S]>>(
 }
 
 /// Whether every placement has the sum `c`.
+#[cfg_attr(feature = "contracts", trusted)]
 pub(super) fn stays<S: Scalar + Ordered, M: AsRef<[S]>>(c: &S, placements: &[M]) -> Truth {
     Truth::all(placements.iter().map(|x| equal(c, &sum(x.as_ref()))))
 }

@@ -1,12 +1,19 @@
 //! Which weights and which starts a theorem is about.
 
+#[cfg(feature = "contracts")]
+use creusot_std::prelude::Clone;
+
+#[cfg(feature = "contracts")]
+use crate::model::*;
+
 use super::Setting;
 use super::verdict::{Truth, at_most, equal, less};
 use crate::Ordered;
 use crate::placement::{gaps, scaled_error};
 
 /// The hypothesis of a theorem: a range of weights and a set of starts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct Hypothesis {
     /// Which weights eps.
     pub weights: WeightRange,
@@ -16,6 +23,8 @@ pub struct Hypothesis {
 
 impl Hypothesis {
     /// Whether weight and start meet the hypothesis. `start` has one position a drone, N >= 3.
+    #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+    #[cfg_attr(feature = "contracts", ensures(says(result, weighs(self.weights, setting.eps_num.model(), setting.eps_den.model(), start@.len()) && starts(self.starts, setting.model(), reals(start@)))))]
     pub fn met_by<S: Ordered>(&self, setting: &Setting<S>, start: &[S]) -> Truth {
         let weight = self.weights.contains(&setting.eps_num, &setting.eps_den, start.len());
         weight.and(self.starts.contains(setting, start))
@@ -23,7 +32,8 @@ impl Hypothesis {
 }
 
 /// A range of weights eps, for N drones.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub enum WeightRange {
     /// Any weight at all.
     Any,
@@ -48,6 +58,8 @@ impl WeightRange {
     ///
     /// [`Self::BelowCritical`] multiplies N-2 times by numbers of the size of `den`: scalars
     /// of limited range have to allow for that.
+    #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+    #[cfg_attr(feature = "contracts", ensures(says(result, weighs(self, num.model(), den.model(), count@))))]
     pub fn contains<S: Ordered>(self, num: &S, den: &S, count: usize) -> Truth {
         let zero = S::from_int(0);
         let nonnegative = || at_most(&zero, num);
@@ -72,6 +84,9 @@ impl WeightRange {
 /// least eigenvalue is 1 - 2eps(1 + cos(pi/(N-1))). It is above -1 exactly when I + A is
 /// positive definite, that is when all leading minors of den*(I + A) are positive (Sylvester);
 /// for a tridiagonal matrix they obey a three-term recurrence.
+#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(says(result, minors_positive(num.model(), den.model(), count@ - 2))))]
 fn below_critical<S: Ordered>(num: &S, den: &S, count: usize) -> Truth {
     let zero = S::from_int(0);
     let two = S::from_int(2);
@@ -88,7 +103,8 @@ fn below_critical<S: Ordered>(num: &S, den: &S, count: usize) -> Truth {
 }
 
 /// A set of starts. In each of them drones 0 and N-1 are at min and max (assumption 1).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub enum StartSet {
     /// The internal drones anywhere.
     Any,
@@ -102,9 +118,13 @@ pub enum StartSet {
 
 impl StartSet {
     /// Whether the start is in the set. It has one position a drone, N >= 3.
+    #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+    #[cfg_attr(feature = "contracts", ensures(says(result, starts(self, setting.model(), reals(start@)))))]
     pub fn contains<S: Ordered>(self, setting: &Setting<S>, start: &[S]) -> Truth {
-        let anchored = match start {
-            [first, .., last] => equal(first, &setting.min).and(equal(last, &setting.max)),
+        let anchored = match (start.first(), start.last()) {
+            (Some(first), Some(last)) if start.len() > 1 => {
+                equal(first, &setting.min).and(equal(last, &setting.max))
+            }
             _ => Truth::False,
         };
         anchored.and(match self {
@@ -117,11 +137,16 @@ impl StartSet {
 }
 
 /// X_i < X_{i+1} for all i.
+#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
+#[cfg_attr(feature = "contracts", ensures(says(result, theorems::ordered(reals(x@)))))]
 fn ordered<S: Ordered>(x: &[S]) -> Truth {
     Truth::all(x.iter().zip(x.iter().skip(1)).map(|(a, b)| less(a, b)))
 }
 
 /// X_i < min + l for every internal i, multiplied by N-1.
+#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(says(result, before_first_target(setting.model(), reals(x@)))))]
 fn in_first_subsegment<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
     let scale = gaps::<S>(x);
     let bound = scale.clone() * &setting.min + &(setting.max.clone() - &setting.min);
@@ -130,6 +155,9 @@ fn in_first_subsegment<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
 }
 
 /// X_i <= T_i for every i.
+#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(says(result, theorems::behind(setting.model(), reals(x@)))))]
 fn upper_bounded<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
     let zero = S::from_int(0);
     let error = |i| scaled_error(&setting.min, &setting.max, x, i);
@@ -137,11 +165,16 @@ fn upper_bounded<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
 }
 
 /// X_i = T_i for every i.
+#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(says(result, reach_targets(setting.model(), reals(x@)))))]
 pub(super) fn at_targets<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
     Truth::all((0..x.len()).map(|i| at_target(setting, x, i)))
 }
 
 /// X_i = T_i.
+#[cfg_attr(feature = "contracts", requires(exact::<S>() && i@ < x@.len()))]
+#[cfg_attr(feature = "contracts", ensures(says(result, error(setting.min.model(), setting.max.model(), reals(x@), i@) == int(0))))]
 pub(super) fn at_target<S: Ordered>(setting: &Setting<S>, x: &[S], i: usize) -> Truth {
     equal(&scaled_error(&setting.min, &setting.max, x, i), &S::from_int(0))
 }

@@ -2,6 +2,9 @@
 
 use core::cmp::Ordering;
 
+#[cfg(feature = "contracts")]
+use crate::model::*;
+
 use super::fixed_point::stays;
 use super::hypothesis::at_target;
 use super::verdict::{Subject, Truth, Verdict, equal, less};
@@ -13,6 +16,7 @@ use crate::placement::{scaled_error, sum};
 const PRINTED_FIRST_OFF_TARGET: usize = 3;
 
 /// How many steps beyond k the conclusion reads.
+#[cfg_attr(feature = "contracts", trusted)]
 pub(super) fn span(form: Form, count: usize) -> usize {
     let internal = count.saturating_sub(2).max(1);
     match form {
@@ -23,6 +27,7 @@ pub(super) fn span(form: Form, count: usize) -> usize {
     }
 }
 
+#[cfg_attr(feature = "contracts", trusted)]
 pub(super) fn conclusion<S: Ordered, M: AsRef<[S]>>(
     form: Form,
     setting: &Setting<S>,
@@ -35,6 +40,7 @@ pub(super) fn conclusion<S: Ordered, M: AsRef<[S]>>(
     }
 }
 
+#[cfg_attr(feature = "contracts", trusted)]
 fn as_printed<S: Ordered, M: AsRef<[S]>>(setting: &Setting<S>, now: &[S], later: &[M]) -> Verdict {
     let premise = stays(&sum(now), later.get(..1).unwrap_or_default())
         .and(first_off_target_is_late(setting, now));
@@ -53,6 +59,7 @@ fn as_printed<S: Ordered, M: AsRef<[S]>>(setting: &Setting<S>, now: &[S], later:
 }
 
 /// Whether the first drone off its target is behind its target and has index 3 or more.
+#[cfg_attr(feature = "contracts", trusted)]
 fn first_off_target_is_late<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
     let zero = S::from_int(0);
     for j in 0..x.len() {
@@ -69,6 +76,7 @@ fn first_off_target_is_late<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth 
 }
 
 /// Whether the sum never increases from `c` on through the placements.
+#[cfg_attr(feature = "contracts", trusted)]
 fn stays_or_falls<S: Ordered, M: AsRef<[S]>>(c: &S, placements: &[M]) -> Truth {
     let mut before = c.clone();
     let mut answer = Truth::True;
@@ -81,6 +89,7 @@ fn stays_or_falls<S: Ordered, M: AsRef<[S]>>(c: &S, placements: &[M]) -> Truth {
 }
 
 /// The sum stays until step k+h and increases in the next, with h as predicted.
+#[cfg_attr(feature = "contracts", trusted)]
 fn exact<S: Ordered, M: AsRef<[S]>>(setting: &Setting<S>, now: &[S], later: &[M]) -> Verdict {
     let last = now.len().saturating_sub(1);
     let mut first_increase: Option<usize> = None;

@@ -9,12 +9,16 @@
 
 use core::cmp::Ordering;
 
+#[cfg(feature = "contracts")]
+use crate::model::*;
+
 use super::hypothesis::at_targets;
 use super::verdict::{Subject, Truth, Verdict, Violation, at_most, less};
 use super::{Form, Setting, WeightRange};
 use crate::Ordered;
 use crate::placement::{contraction_weight, scaled_energy, scaled_error};
 
+#[cfg_attr(feature = "contracts", trusted)]
 pub(super) fn conclusion<S: Ordered, M: AsRef<[S]>>(
     form: Form,
     setting: &Setting<S>,
@@ -41,6 +45,7 @@ pub(super) fn conclusion<S: Ordered, M: AsRef<[S]>>(
 /// The contraction in one step: for every internal i there is an internal j with
 /// (N-1)^2 den |e_i'| w_j <= ((N-1)^2 den - 8 num) |e_j| w_i. Holds trivially beyond 1/2,
 /// where the rate is not claimed.
+#[cfg_attr(feature = "contracts", trusted)]
 fn at_rate<S: Ordered>(setting: &Setting<S>, now: &[S], next: &[S]) -> Verdict {
     let count = now.len();
     let (num, den) = (&setting.eps_num, &setting.eps_den);
@@ -70,12 +75,14 @@ fn at_rate<S: Ordered>(setting: &Setting<S>, now: &[S], next: &[S]) -> Verdict {
 }
 
 /// The absolute value, where the sign is known.
+#[cfg_attr(feature = "contracts", trusted)]
 fn magnitude<S: Ordered>(e: S) -> Option<S> {
     let zero = S::from_int(0);
     Some(if e.compare(&zero)? == Ordering::Less { zero - &e } else { e })
 }
 
 /// Disjunction of many.
+#[cfg_attr(feature = "contracts", trusted)]
 fn any(answers: impl IntoIterator<Item = Truth>) -> Truth {
     let mut answer = Truth::False;
     for truth in answers {

@@ -24,11 +24,18 @@ pub use non_decreasing::telescoping_residual;
 pub use upper_bound::{above_targets, in_box};
 pub use verdict::{Subject, Truth, Verdict, Violation};
 
+#[cfg(feature = "contracts")]
+use creusot_std::prelude::{Clone, PartialEq};
+
+#[cfg(feature = "contracts")]
+use crate::model::*;
+
 use crate::{Ordered, Params, Scalar};
 
 /// What the theorems speak about: the segment's ends, and the weight as a quotient, so that
 /// positions and weight may be measured in different units.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct Setting<S> {
     /// Left end of the segment.
     pub min: S,
@@ -41,6 +48,7 @@ pub struct Setting<S> {
 }
 
 impl<S: Scalar> From<&Params<S>> for Setting<S> {
+    #[cfg_attr(feature = "contracts", trusted)] // `From` allows no precondition
     fn from(p: &Params<S>) -> Self {
         Self {
             min: p.min.clone(),
@@ -52,7 +60,9 @@ impl<S: Scalar> From<&Params<S>> for Setting<S> {
 }
 
 /// Which reading of a theorem is meant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq)]
+#[cfg_attr(not(creusot), derive(Debug, Eq, PartialOrd, Ord, Hash))]
+#[cfg_attr(creusot, derive(DeepModel))]
 pub enum Form {
     /// As printed in the paper's section 7.
     Paper,
@@ -65,6 +75,7 @@ impl Form {
     pub const ALL: [Self; 2] = [Self::Paper, Self::Sharp];
 
     /// The form in a word.
+    #[cfg_attr(feature = "contracts", trusted)]
     pub fn label(self) -> &'static str {
         match self {
             Self::Paper => "paper",
@@ -74,7 +85,8 @@ impl Form {
 }
 
 /// A theorem of the paper's section 7, its parts apart.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy)]
+#[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq, PartialOrd, Ord, Hash))]
 pub enum Theorem {
     /// 7.2: drones never cross.
     Ordering,
@@ -114,6 +126,7 @@ impl Theorem {
     ];
 
     /// The paper's number, with the part: `7.4i`.
+    #[cfg_attr(feature = "contracts", trusted)]
     pub fn number(self) -> &'static str {
         match self {
             Self::Ordering => "7.2",
@@ -164,6 +177,7 @@ impl Theorem {
     /// Statements about *all* later steps are decided by finitely many: the increments of the
     /// sum obey a linear recurrence of order N-2 (Cayley-Hamilton on the internal drones), so
     /// N-2 zeros in a row mean zeros for ever.
+    #[cfg_attr(feature = "contracts", trusted)]
     pub fn span(self, form: Form, count: usize) -> usize {
         match self {
             Self::Ordering | Self::UpperBound | Self::SumBounded | Self::SumMaximal => 0,
@@ -175,6 +189,7 @@ impl Theorem {
 
     /// Whether the conclusion holds of the run `X^k, X^{k+1}, ...`, at least `span + 1`
     /// placements of N >= 3 drones each. Of a shorter run nothing is said: `Undecided`.
+    #[cfg_attr(feature = "contracts", trusted)]
     pub fn conclusion<S: Ordered, M: AsRef<[S]>>(
         self,
         form: Form,

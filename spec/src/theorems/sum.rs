@@ -2,6 +2,9 @@
 
 use core::cmp::Ordering;
 
+#[cfg(feature = "contracts")]
+use crate::model::*;
+
 use super::Setting;
 use super::hypothesis::at_targets;
 use super::verdict::{Subject, Truth, Verdict, at_most};
@@ -9,12 +12,16 @@ use crate::placement::sum;
 use crate::{Ordered, Scalar};
 
 /// Twice the sum, and twice its bound: 2*(N*min + N(N-1)/2 * l) = N*(min + max).
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(result.0.model() == int(2) * total(reals(x@), x@.len()) && result.1.model() == bound(setting.model(), reals(x@))))]
 fn doubled<S: Scalar>(setting: &Setting<S>, x: &[S]) -> (S, S) {
     let ends = setting.min.clone() + &setting.max;
     (S::from_int(2) * &sum(x), S::from_index(x.len()) * &ends)
 }
 
 /// The sum is at most its bound.
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(decides(result, int(2) * total(reals(x@), x@.len()) <= bound(setting.model(), reals(x@)))))]
 pub(super) fn bounded<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Verdict {
     let (c, bound) = doubled(setting, x);
     Verdict::one(at_most(&c, &bound), 0, Subject::Sum)
@@ -22,6 +29,8 @@ pub(super) fn bounded<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Verdict {
 
 /// The sum meets its bound exactly when all drones are at their targets. Vacuous where
 /// neither is so.
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(decides(result, (int(2) * total(reals(x@), x@.len()) == bound(setting.model(), reals(x@))) == reach_targets(setting.model(), reals(x@)))))]
 pub(super) fn maximal<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Verdict {
     let (c, bound) = doubled(setting, x);
     let Some(order) = c.compare(&bound) else {

@@ -4,6 +4,7 @@
 #[path = "../../../tests/common/placements.rs"]
 mod placements;
 
+mod exact;
 mod identities;
 mod theorem_predicates;
 mod ticks;

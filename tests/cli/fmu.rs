@@ -462,7 +462,7 @@ fn ssp_archives_are_read_back_or_refused_by_name() {
             &bound.replace(" source=", " prefix=\"a.\" source="),
             "`a.coordination0",
         ),
-        ("<ssv:Real value=\"", "<ssv:Real value=\"in", "a finite number"),
+        ("<ssv:Real value=\"", "<ssv:Real value=\"inf\" was=\"", "a finite number"),
         (
             r#"<ssd:DefaultExperiment startTime="0""#,
             r#"<ssd:DefaultExperiment startTime="1""#,

@@ -80,6 +80,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if let Some(w) = wind.as_ref().filter(|w| w.is_negative()) {
         return Err(Error::input(format!("wind: `{w}`: expected 0 or more m/s2")));
     }
+    expect_exact(&swarm)?;
     args.scenario.in_file(applies(&swarm))?;
     let Judged { mut report, certificates } = judged(&swarm, wind)?;
     if let Some(folder) = &args.out {
@@ -111,6 +112,16 @@ pub(super) fn known_gap(swarm: &Cosimulation) -> Option<Rational> {
     Some(smallest.size).filter(Signed::is_positive)
 }
 
+/// Refuses the rounded constants and positions of the recorded runs.
+fn expect_exact(swarm: &Cosimulation) -> Result<()> {
+    match swarm.recorded {
+        true => Err(Error::input(
+            "compat: `recorded`: expected none: what is certified has exact constants and positions",
+        )),
+        false => Ok(()),
+    }
+}
+
 /// Refuses what nothing is known about.
 fn applies(swarm: &Cosimulation) -> Result<()> {
     let Protocol::Coverage { .. } = &swarm.scenario.protocol else {
@@ -125,11 +136,7 @@ fn applies(swarm: &Cosimulation) -> Result<()> {
             unit.fmu.display()
         )));
     }
-    if swarm.recorded {
-        return Err(Error::input(
-            "compat: `recorded`: expected none: what is certified has exact constants and positions",
-        ));
-    }
+    expect_exact(swarm)?;
     if !swarm.faults.is_empty() {
         return Err(Error::input(
             "fault: expected none: where messages are lost or late the smallest gap may fall",

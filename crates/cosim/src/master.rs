@@ -354,10 +354,7 @@ impl Master {
         }
         // Where units drop out, an input may not have what its source last sent.
         let always = self.outages;
-        let send = |(((cell, sent), fresh), lane): (
-            ((&mut Cell, &mut Vec<Value>), &mut bool),
-            &mut [f64],
-        )| {
+        let send = |cell: &mut Cell, sent: &mut [Value], fresh: &mut bool, lane: &mut [f64]| {
             *fresh = always || cell.unit.moved();
             if *fresh { cell.send(sent, lane, grid, step + 1) } else { Ok(()) }
         };
@@ -366,12 +363,17 @@ impl Master {
         match many {
             false => {
                 let lanes = lanes.chunks_mut(self.room);
-                cells.iter_mut().zip(sent).zip(fresh).zip(lanes).try_for_each(send)?;
+                let mut cells = cells.iter_mut().zip(sent).zip(fresh).zip(lanes);
+                cells
+                    .try_for_each(|(((cell, sent), fresh), lane)| send(cell, sent, fresh, lane))?;
             }
             true => {
                 let lanes = lanes.par_chunks_mut(self.room);
                 let cells = cells.par_iter_mut().zip(sent).zip(fresh).zip(lanes);
-                first_error(cells.with_min_len(64).map(send))?;
+                let cells = cells.with_min_len(64);
+                first_error(
+                    cells.map(|(((cell, sent), fresh), lane)| send(cell, sent, fresh, lane)),
+                )?;
             }
         }
         Ok(())

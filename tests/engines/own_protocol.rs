@@ -455,6 +455,11 @@ fn what_is_proved_never_fails_and_what_is_refuted_replays() {
 }
 
 #[test]
+fn brackets_hold_on_both_sides() {
+    own_random::brackets_hold(40);
+}
+
+#[test]
 fn a_counterexample_replays_from_the_command_line() {
     let mut replayed = 0;
     for (file, set) in [("hasty-coverage", "eps=0..3/5"), ("coverage-with-losses", "eps=3/5")] {

@@ -23,7 +23,7 @@ fn what_commands_print_meets_its_schema() {
         "prove --protocol scenarios/own/hasty-coverage.toml",
         "threshold --protocol scenarios/own/hasty-coverage.toml --digits 2",
         "settle --protocol scenarios/own/digraph.toml --within 1/10",
-        "sweep --protocol scenarios/own/hasty-coverage.toml --grid 8 --steps 2",
+        "sweep --protocol scenarios/own/hasty-coverage.toml --grid 10 --steps 2",
         "sweep --protocol scenarios/own/coverage.toml --complete --steps 2",
         "theorems --protocol scenarios/own/digraph.toml",
         "theorems --protocol scenarios/own/digraph.toml --check",

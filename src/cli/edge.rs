@@ -8,7 +8,7 @@ use clap::parser::ValueSource;
 use cordon_core::{Error, Result, files};
 
 /// Commands, flags, and what else each flag needs to be given.
-const NEEDS: [(&str, &str, &str); 23] = [
+const NEEDS: [(&str, &str, &str); 22] = [
     ("trace", "form", "check"),
     ("trace", "engine", "at"),
     ("trace", "verify", "at"),
@@ -17,7 +17,6 @@ const NEEDS: [(&str, &str, &str); 23] = [
     ("sweep", "set", "protocol"),
     ("theorems", "agents", "protocol"),
     ("theorems", "set", "protocol"),
-    ("theorems", "check", "protocol"),
     ("smt2", "agents", "protocol"),
     ("smt2", "set", "protocol"),
     ("smt2", "steps", "negate"),

@@ -19,8 +19,8 @@ pub struct Args {
     #[command(flatten)]
     pub own: own_protocol::ProtocolArgs,
     /// With --protocol: prove or refute each claim, and say what is known of it
-    #[arg(long, help_heading = "Own protocol")]
-    pub check: bool,
+    #[arg(long = "check", requires = "protocol", help_heading = "Own protocol")]
+    pub known: bool,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     pub format: OutputFormat,
@@ -29,7 +29,7 @@ pub struct Args {
 /// Lists the theorems, or the claims of a protocol file.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if let Some((file, system)) = args.own.system()? {
-        return own_protocol::theorems(&args.own, &file, &system, args.check, args.format, out);
+        return own_protocol::theorems(&args.own, &file, &system, args.known, args.format, out);
     }
     let theorems = theorems::named(args.numbers.as_deref().unwrap_or("all"))?;
     match args.format {

@@ -23,7 +23,7 @@ fn what_commands_print_meets_its_schema() {
         "prove --protocol scenarios/own/hasty-coverage.toml",
         "threshold --protocol scenarios/own/hasty-coverage.toml --digits 2",
         "settle --protocol scenarios/own/digraph.toml --within 1/10",
-        "sweep --protocol scenarios/own/hasty-coverage.toml --grid 4 --steps 2",
+        "sweep --protocol scenarios/own/hasty-coverage.toml --grid 10 --steps 2",
         "sweep --protocol scenarios/own/coverage.toml --complete --steps 2",
         "theorems --protocol scenarios/own/digraph.toml",
         "theorems --protocol scenarios/own/digraph.toml --check",
@@ -147,7 +147,7 @@ fn certificates_meet_their_schema() {
         "prove --protocol scenarios/own/ring-pulls.toml",
         "prove --protocol scenarios/own/digraph.toml",
         "prove --protocol scenarios/own/digraph.toml --set eps=2",
-        "prove --protocol scenarios/own/turn-or-pull.toml",
+        "prove --protocol scenarios/own/two-modes.toml",
         "prove --protocol scenarios/own/hasty-coverage.toml",
     ] {
         run(&args.split(' ').chain(["--out", &out]).collect::<Vec<_>>());

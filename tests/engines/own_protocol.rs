@@ -63,7 +63,7 @@ fn examples_are_proved_with_valid_certificates_or_refuted() {
         let (run, _) = refute(&system, &constants(&system, 3).unwrap(), None, 3);
         assert_eq!(run, None, "{name}");
     }
-    for name in ["digraph", "grid", "second-order", "turn-or-pull"] {
+    for name in ["digraph", "grid", "second-order", "two-modes"] {
         let found = converge::contraction(&own(name, None)).unwrap().unwrap();
         assert!(is_valid(&found.certificate) && found.rate < q("1"), "{name}");
     }
@@ -353,10 +353,10 @@ fn critical_values_are_bracketed_from_both_sides() {
 /// Two modes without a common form have one for each; a form for each settles as one does.
 #[test]
 fn modes_have_forms_of_their_own() {
-    let system = own("turn-or-pull", None);
+    let system = own("two-modes", None);
     let found = converge::contraction(&system).unwrap().unwrap();
     assert_eq!(found.forms.len(), 2);
-    assert!(found.certificate["certificate"]["quadratic"]["matrices"].get("pull").is_some());
+    assert!(found.certificate["certificate"]["quadratic"]["matrices"].get("second").is_some());
     assert!(is_valid(&found.certificate));
     let step = cordon_proof::claims::settle::settles(&system, &found, None, &q("1/10")).unwrap();
     // Every word of modes as long as that ends within, from every corner of the box.
@@ -369,9 +369,9 @@ fn modes_have_forms_of_their_own() {
         largest = states.iter().flatten().map(num_traits::Signed::abs).max().unwrap();
     }
     assert!(step > 14 || largest <= q("1/10"), "{step} {largest}");
-    // Faster turns: neither converges any more.
-    let text = std::fs::read_to_string("scenarios/own/turn-or-pull.toml").unwrap();
-    let fast = self::system(&text.replace("v/2\", v = \"-x\"", "2*v\", v = \"-x\""));
+    // Factors above 1: it does not converge any more.
+    let text = std::fs::read_to_string("scenarios/own/two-modes.toml").unwrap();
+    let fast = self::system(&text.replace("4/5", "6/5"));
     assert!(converge::contraction(&fast).unwrap().is_none());
 }
 
@@ -452,6 +452,11 @@ fn modes_are_in_the_order_in_which_they_are_declared() {
 #[test]
 fn what_is_proved_never_fails_and_what_is_refuted_replays() {
     own_random::agree(150);
+}
+
+#[test]
+fn brackets_hold_on_both_sides() {
+    own_random::brackets_hold(40);
 }
 
 #[test]

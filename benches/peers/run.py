@@ -5,6 +5,7 @@ The work: exact positions after k protocol steps, eps = 1/5, drone i of N at 40i
 last at 100. CPU seconds of the computation alone, the best of several runs (one, where a run
 takes seconds); the second table has whole processes by the clock, start-up and output included."""
 import os
+import re
 import resource
 import shutil
 import subprocess
@@ -189,12 +190,49 @@ def co_simulation(n=1000, seconds=100):
         print(f"| {name} | {spent:.2f} | {spent / rows[2][1]:.2g} |")
 
 
+# Weights p/q of the sweeps, with which 64 bits hold every number.
+RATES = [(1, 2), (1, 3)]
+
+# On 36 units Python ends; on 250 the rest has something to do.
+SWEEPS = [
+    ("Cordon", [os.path.join(BUILD, "cordon"), "sweep", "7.2", "--drones", "5", "--eps", "{p}/{q}", "--grid", "{length}",
+                "--steps", "30", "--threads", "1"], 360),
+    ("C, 64 bits, vectors of AVX2", [os.path.join(BUILD, "sweep-avx2"), "{length}", "{p}", "{q}"], 360),
+    ("C, 64 bits, vectors of x86-64", [os.path.join(BUILD, "sweep"), "{length}", "{p}", "{q}"], 360),
+    ("Python integers", [sys.executable, os.path.join(HERE, "sweep.py"), "{length}", "{p}", "{q}"], 36),
+]
+
+
+def sweeps():
+    """Drone updates a second and core: theorem 7.2, N = 5, k <= 30, whole processes by user time."""
+    print("\n| sweep of 7.2, N = 5, k <= 30, one core | " + " | ".join(f"eps = {p}/{q}" for p, q in RATES) + " |")
+    print("|---|" + "---|" * len(RATES))
+    for name, template, length in SWEEPS:
+        cells = []
+        for p, q in RATES:
+            command = [part.format(length=length, p=p, q=q) for part in template]
+            if not installed(command):
+                break
+            rate = 0
+            for _ in range(5):
+                before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+                done = subprocess.run(command, capture_output=True, text=True, check=True)
+                seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+                updates = re.search(r"(\d+) drone updates", done.stdout + done.stderr)
+                rate = max(rate, int(updates[1]) / seconds)
+            cells.append(f"{rate / 1e9:.3g} G/s")
+        if cells:
+            print(f"| {name} | " + " | ".join(cells) + " |")
+
+
 if __name__ == "__main__":
     # All tables, or those that are named.
-    named = sys.argv[2:] or ["exact", "processes", "co-simulation"]
+    named = sys.argv[2:] or ["exact", "processes", "co-simulation", "sweeps"]
     if "exact" in named:
         multiplication(exact_table())
     if "processes" in named:
         whole_processes()
     if "co-simulation" in named:
         co_simulation()
+    if "sweeps" in named:
+        sweeps()

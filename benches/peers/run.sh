@@ -25,13 +25,15 @@ fi
 cargo build --quiet --release --bin cordon --example at
 cp "$target/release/cordon" "$target/release/examples/at" "$build/"
 
-compile() { # name, libraries
-    if cc -O2 -o "$build/$1" "$here/$1.c" $2 2>"$build/$1.log"; then :; else
+compile() { # name, libraries, source, flags
+    if cc -O3 ${4:-} -o "$build/$1" "$here/${3:-$1}.c" $2 2>"$build/$1.log"; then :; else
         say "without $1: its libraries are not installed ($build/$1.log)"
     fi
 }
 compile flint "-lflint -lgmp -lm"
 compile multiply "-lgmp"
 compile swarm "-lm"
+compile sweep ""
+compile sweep-avx2 "" sweep -march=x86-64-v3
 command -v sbcl >/dev/null || say "without SBCL: not installed"
 exec python3 "$here/run.py" "$build" "$@"

@@ -112,8 +112,10 @@ impl<'a> Call<'a> {
     fn out_is_folder(&self) -> bool {
         let out = self.command.get_arguments().find(|a| a.get_id() == "out");
         let names = out.and_then(|a| a.get_value_names()).unwrap_or_default();
-        // A multi-model lies in a folder, with its FMUs.
-        names.iter().any(|n| n.as_str() == "DIR") || self.command.get_name() == "into-cps"
+        // A multi-model lies in a folder, with its FMUs; a submitted sweep too, with its parts.
+        names.iter().any(|n| n.as_str() == "DIR")
+            || self.command.get_name() == "into-cps"
+            || matches!(self.matches.try_contains_id("submit"), Ok(true))
     }
 
     fn paths(&self, id: &str) -> Vec<&'a PathBuf> {

@@ -13,7 +13,7 @@ pub fn command() -> Command {
 }
 
 /// Examples and limits, by the words of the command.
-const EXAMPLES: [(&str, &str); 23] = [
+const EXAMPLES: [(&str, &str); 24] = [
     (
         "trace",
         "Examples:
@@ -85,6 +85,13 @@ Limits: run files of 1 GiB; of more than 400,000 positions every second one, or 
   cordon sweep merge part-1.jsonl part-2.jsonl --audit 5 --out whole.jsonl
 
 Limits: result files of 1 GiB. Exit codes: as for `cordon sweep`; 2 where files contradict each other.",
+    ),
+    (
+        "sweep status",
+        "Example:
+  cordon sweep status big
+
+Exit codes: 0 every part is finished, 3 some part is not, 2 no folder of a submitted sweep",
     ),
     (
         "refute",

@@ -510,6 +510,7 @@ fn every_command_has_an_example_and_completions_offer_numbers_and_files() {
         "errata",
         "sweep",
         "sweep merge",
+        "sweep status",
         "refute",
         "prove",
         "check",

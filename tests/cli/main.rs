@@ -22,5 +22,7 @@ mod own_runs;
 mod replay;
 mod schemas;
 mod separation;
+#[cfg(unix)]
+mod submit;
 mod sweep;
 mod trust_lines;

@@ -1,7 +1,7 @@
 //! JSON held against the schemas of the repository.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use boon::{Compiler, Draft, SchemaIndex, Schemas};
 use serde_json::{Value, json};
@@ -15,8 +15,13 @@ pub struct Schema {
 impl Schema {
     /// The schema of a format like `cordon-trace/1`.
     pub fn of(format: &str) -> Self {
-        let path = path_of(format);
-        let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        Self::at(path_of(format))
+    }
+
+    /// The schema in a file.
+    pub fn at(path: impl AsRef<Path>) -> Self {
+        let path = path.as_ref();
+        let text = fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
         let mut schemas = Schemas::new();
         let mut compiler = Compiler::new();
         compiler.set_default_draft(Draft::V2020_12);

@@ -5,13 +5,14 @@ use std::ops::{Add, Mul, Sub};
 use cordon_core::Rational;
 use cordon_core::stencil::Stencil;
 use cordon_proof::sweep::Item;
-use cordon_proof::sweep::exhaust::{Exhaust, Tally, engine};
+use cordon_proof::sweep::exhaust::{Exhaust, Tally, Trial, engine};
 use cordon_proof::sweep::grid::Grid;
-use cordon_proof::sweep::kernel::{Dynamic, Window};
+use cordon_proof::sweep::kernel::{Dynamic, Update, Window};
+use cordon_proof::sweep::lanes::Lanes;
 use cordon_proof::sweep::machine::Wide;
 use cordon_proof::sweep::range::Range;
 use cordon_spec::coverage::exec_coverage;
-use cordon_spec::theorems::{Form, Setting, Theorem, Truth, Verdict};
+use cordon_spec::theorems::{Form, Setting, StartSet, Theorem, Truth, Verdict};
 use cordon_spec::{Ordered, Params, Scalar, State};
 use num_bigint::{BigInt, BigUint};
 use proptest::prelude::*;
@@ -41,10 +42,10 @@ fn by_the_spec(item: &Item, start: &[i64], steps: usize) -> Option<Vec<Verdict>>
 }
 
 fn tally(item: &Item, start: &[i64], steps: usize) -> Tally {
-    let mut tally = Tally::default();
-    let length = *start.last().unwrap();
-    engine(item, steps, length).start(start, true, &mut tally);
-    tally
+    let engine = engine(item, steps, *start.last().unwrap());
+    let mut trial = Trial::new(&*engine, false);
+    trial.start(start);
+    trial.end()
 }
 
 /// Counts and first violation of the kernel are those of the spec, whatever the theorem, the
@@ -69,7 +70,7 @@ fn kernel_is_the_spec_on_random_runs() {
         ),
     );
     // Runs, violations, vacuous steps, and runs that end on each width of integers.
-    let seen = RefCell::new((0, 0, 0, [0; 4]));
+    let seen = RefCell::new((0, 0, 0, [0; 5]));
     runner
         .run(&strategy, |(theorem, form, drones, eps, resolution, steps, random)| {
             let item = item(theorem, form, drones, eps);
@@ -113,6 +114,48 @@ fn kernel_is_the_spec_on_random_runs() {
     assert!(widths.iter().all(|w| *w > 20), "{widths:?}");
 }
 
+/// Sixteen at once come to what each comes to alone, whatever they disagree about: all starts of a
+/// set and others beside them, in any order, in batches full and not.
+#[test]
+fn starts_run_together_come_to_what_they_come_to_alone() {
+    let (mut compared, mut violations, mut refused) = (0, 0, 0);
+    for theorem in Theorem::ALL {
+        for form in Form::ALL {
+            for eps in [(1, 3), (1, 2), (3, 5), (5, 4), (7, 29)] {
+                let item = item(theorem, form, 4, eps);
+                let starts = theorem.hypothesis(form).starts;
+                let engine = engine(&item, 25, 9);
+                let run = |starts: &[Vec<i64>]| {
+                    let mut trial = Trial::new(&*engine, false);
+                    starts.iter().for_each(|start| trial.start(start));
+                    trial.end()
+                };
+                let set = Grid::of_length(starts, 4, 9).unwrap();
+                let mut all = Vec::new();
+                for grid in [&set, &Grid::of_length(StartSet::Any, 4, 9).unwrap()] {
+                    grid.for_each(&grid.whole(), |start| {
+                        all.push(start.to_vec());
+                        true
+                    });
+                }
+                let each: Vec<_> =
+                    all.iter().map(|start| run(std::slice::from_ref(start))).collect();
+                for batch in [7, 16, 40] {
+                    for (starts, tallies) in all.chunks(batch).zip(each.chunks(batch)) {
+                        let alone = tallies.iter().cloned().fold(Tally::default(), Tally::merge);
+                        assert_eq!(run(starts), alone, "{theorem:?} {form:?} {eps:?} {starts:?}");
+                        compared += starts.len();
+                        violations += alone.counts.violations;
+                        refused += starts.len() as u64 - alone.counts.starts;
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!(compared, 38_400);
+    assert!(violations > 1000 && refused > 1000, "{violations} {refused}");
+}
+
 /// A start outside the theorem's set is not tried.
 #[test]
 fn starts_outside_the_hypothesis_are_refused() {
@@ -136,12 +179,12 @@ fn mirror_reduction_changes_no_count() {
             let starts = theorem.hypothesis(Form::Sharp).starts;
             let grid = Grid::new(starts, 5, 8).unwrap();
             let engine = engine(&item, 6, grid.length);
-            let (mut whole, mut reduced) = (Tally::default(), Tally::default());
-            grid.for_each(&grid.whole(), |start| {
-                engine.start(start, true, &mut whole);
-                engine.start(start, false, &mut reduced);
-                true
-            });
+            let run = |mirrored| {
+                let mut trial = Trial::new(&*engine, mirrored);
+                trial.sweep(&grid, &grid.whole());
+                trial.end()
+            };
+            let (whole, mut reduced) = (run(false), run(Grid::mirrored(theorem, starts)));
             let saved = whole.counts.updates - reduced.counts.updates;
             assert_eq!(saved > 0, Grid::mirrored(theorem, starts), "{theorem:?}");
             pairs += u32::from(saved > 0);
@@ -227,7 +270,7 @@ fn no_number_exceeds_the_bound() {
                         let start: Vec<_> = (0..drones).map(|i| Recorded(x(i).into())).collect();
                         let range = Range::new(theorem, form, drones, &item.eps, &far.into());
                         LARGEST.with_borrow_mut(|largest| *largest = BigUint::ZERO);
-                        let stencil = Stencil::of(&item.eps)
+                        let update = Update::of(&Stencil::of(&item.eps))
                             .try_map(|w| Ok::<_, ()>(Recorded(w.clone())))
                             .unwrap();
                         let setting = Setting {
@@ -237,10 +280,10 @@ fn no_number_exceeds_the_bound() {
                             eps_den: Recorded(item.eps.denom().clone()),
                         };
                         let span = theorem.span(form, drones);
-                        let mut window = Window::new(setting, start, span, &stencil);
+                        let mut window = Window::new(setting, start, span, &update);
                         for k in 0..6 {
                             if k > 0 {
-                                window.advance(&stencil);
+                                window.advance(&update);
                             }
                             window.verdict(theorem, form);
                             let largest = LARGEST.with_borrow(Clone::clone);
@@ -262,18 +305,21 @@ fn no_number_exceeds_the_bound() {
 /// it agree with the spec on both sides.
 #[test]
 fn widths_hand_over_at_their_edge() {
-    let mut crossed = [0; 3];
+    let mut crossed = [0; 4];
     for theorem in [Theorem::Ordering, Theorem::ConstantSum, Theorem::Limit] {
         for eps in [(5, 12), (2, 5), (1, 3)] {
             let item = item(theorem, Form::Sharp, 5, eps);
             let range = Range::new(theorem, Form::Sharp, 5, &item.eps, &8.into());
             let lasts = [
-                range.last_step::<i64>(500).unwrap(),
+                range.last_step::<Lanes<i32>>(500).unwrap(),
+                range.last_step::<Lanes<i64>>(500).unwrap(),
                 range.last_step::<i128>(500).unwrap(),
                 range.last_step::<Wide>(500).unwrap(),
             ];
             assert!(lasts.is_sorted());
-            for ((last, bits), crossed) in lasts.into_iter().zip([63, 127, 255]).zip(&mut crossed) {
+            for ((last, bits), crossed) in
+                lasts.into_iter().zip([31, 63, 127, 255]).zip(&mut crossed)
+            {
                 assert!(range.bound(last).bits() <= bits);
                 assert!(range.bound(last + 1).bits() > bits);
                 let start = [0, 1, 2, 3, 8];
@@ -290,7 +336,7 @@ fn widths_hand_over_at_their_edge() {
             }
         }
     }
-    assert_eq!(crossed, [9; 3]);
+    assert_eq!(crossed, [9; 4]);
 }
 
 /// Weights too large for a width are left to the next.
@@ -300,7 +346,7 @@ fn huge_weights_are_run_on_big_integers() {
     let eps = Rational::new(huge.clone() / 3, huge);
     let item = Item { number: 0, theorem: Theorem::Ordering, form: Form::Sharp, drones: 4, eps };
     let lasts = Exhaust::<Dynamic>::new(&item, 4, 6).last_steps();
-    assert_eq!(lasts, [None, None, None, Some(4)]);
+    assert_eq!(lasts, [None, None, None, None, Some(4)]);
     let expected = by_the_spec(&item, &[0, 1, 2, 6], 4).unwrap();
     assert!(expected.iter().all(|v| *v == Verdict::Holds));
     assert_eq!(tally(&item, &[0, 1, 2, 6], 4).counts.non_vacuous, 5);

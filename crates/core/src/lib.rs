@@ -7,7 +7,7 @@
 //!   step.
 //! * [`linear`], [`simplex`]: exact linear algebra and programs.
 //! * [`theorems`], [`violation`], [`evidence`]: the theorems by number, violations in words, what verdicts rest on.
-//! * [`error`], [`files`], [`serial`], [`text`], [`table`], [`progress`]: how a command ends, how it
+//! * [`error`], [`files`], [`fingerprint`], [`serial`], [`text`], [`table`], [`progress`]: how a command ends, how it
 //!   reads and writes, what of a user's text is shown, tables, and how far work is.
 
 pub mod error;
@@ -15,6 +15,7 @@ pub mod evidence;
 pub mod exact;
 #[cfg(feature = "files")]
 pub mod files;
+pub mod fingerprint;
 pub mod linear;
 pub mod progress;
 pub mod random;

@@ -7,7 +7,6 @@
 mod body_variables;
 pub mod control;
 pub mod coordination;
-mod fingerprint;
 pub mod fmi;
 pub mod grid;
 pub mod physics;

@@ -8,9 +8,9 @@ mod parquet;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use super::fingerprint::Fingerprint;
 use super::record::Record;
 use cordon_core::files::{self, Limit};
+use cordon_core::fingerprint::Fingerprint;
 use cordon_core::{Error, Result};
 
 pub use csv::csv;

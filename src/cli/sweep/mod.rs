@@ -1,7 +1,8 @@
-//! `cordon sweep` and `cordon sweep merge`.
+//! `cordon sweep`, `cordon sweep status` and `cordon sweep merge`.
 
 mod options;
 mod show;
+mod submit;
 mod watch;
 
 use std::io::Write;
@@ -11,8 +12,9 @@ use super::own_protocol;
 use super::select::OutputFormat;
 use cordon_core::{Error, Outcome, Result, files, theorems};
 use cordon_proof::sweep::run::{Progress, run as run_items, work};
-use cordon_proof::sweep::store::{Header, Shard, Store, line_of};
-use cordon_proof::sweep::{Config, Finding, merge};
+use cordon_proof::sweep::shard::Shard;
+use cordon_proof::sweep::store::{Header, Store, line_of};
+use cordon_proof::sweep::{Config, Finding, Item, merge};
 
 /// Arguments of `cordon sweep`.
 #[derive(clap::Args, Debug)]
@@ -41,6 +43,9 @@ Examples:
   cordon sweep --protocol FILE --grid 4           the claims of a protocol of your own (--complete: from
                                                   all real starts)
   cordon sweep merge part-*.jsonl --audit 5       the parts together, five items computed anew
+  cordon sweep 7.2 --drones 3..8 --submit slurm --shards 64 --out big
+                                                  as a job array of Slurm, and its merge
+  cordon sweep status big                         what of it is done
 
 Limits: 3 to 64 drones, 100,000 steps, 1,000,000 weights, 1,000,000 work items, 1,024 threads.
 
@@ -51,6 +56,8 @@ command that replays it), 2 bad usage or input, 3 some claim is vacuous or undec
 enum Command {
     /// Put the result files of all parts of a sweep together
     Merge(MergeArgs),
+    /// Say what of a submitted sweep is done, and how to run the rest
+    Status(submit::status::Args),
 }
 
 /// Arguments of `cordon sweep merge`.
@@ -74,6 +81,8 @@ struct MergeArgs {
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     match &args.command {
         Some(Command::Merge(m)) => merged(m, out),
+        Some(Command::Status(s)) => submit::status::run(s, out),
+        None if args.options.cluster.asked() => submit::run(&args.options, out),
         None => match args.options.own.system()? {
             Some((_, system)) => {
                 let (options, own) = (&args.options, &args.options.own);
@@ -111,12 +120,9 @@ fn merged(args: &MergeArgs, out: &mut dyn Write) -> Result<Outcome> {
 fn swept(options: &options::Options, out: &mut dyn Write) -> Result<Outcome> {
     let config = options.config()?;
     let shard = options.shard()?;
-    let all = config.items()?;
+    let all = listed(&config)?;
     let header = Header::new(&config, shard, all.len());
-    let items = shard.of_items(all);
-    if items.is_empty() {
-        return Err(nothing(&config, shard));
-    }
+    let items = shard.of_items(&config, all)?;
     let total = work(&config, &items)?;
     if options.out.as_ref().is_some_and(|path| path.as_os_str() == files::STREAM) {
         return Err(Error::input("out: `-`: expected a file, from which a later run goes on"));
@@ -151,16 +157,14 @@ fn swept(options: &options::Options, out: &mut dyn Write) -> Result<Outcome> {
     Ok(outcome)
 }
 
-fn nothing(config: &Config, shard: Shard) -> Error {
-    if shard == Shard::WHOLE {
-        Error::input(format!(
+/// The work items of a sweep, at least one.
+fn listed(config: &Config) -> Result<Vec<Item>> {
+    let items = config.items()?;
+    if items.is_empty() {
+        return Err(Error::input(format!(
             "eps: no weight is in the range of {}: expected one, or `--any-weight`",
             theorems::numbers(&config.theorems, ", ")
-        ))
-    } else {
-        Error::input(format!(
-            "shard: `{}/{}`: the sweep has fewer work items than that",
-            shard.index, shard.of
-        ))
+        )));
     }
+    Ok(items)
 }

@@ -12,7 +12,7 @@ use cordon_core::theorems;
 use cordon_core::{Error, Result, range};
 use cordon_proof::counterexample::list as comma_list;
 use cordon_proof::sweep::config::DRONES;
-use cordon_proof::sweep::store::Shard;
+use cordon_proof::sweep::shard::Shard;
 use cordon_proof::sweep::{Config, StartSpace, WeightSet};
 
 /// Options of `cordon sweep`.
@@ -69,12 +69,15 @@ pub(super) struct Options {
     /// Run part I of N: the parts have all work items, each once
     #[arg(long, value_name = "I/N", conflicts_with = "protocol")]
     shard: Option<String>,
-    /// Result file, one JSON line for each work item; finished items are taken over from it
+    /// Result file, one JSON line for each work item; finished items are taken over from it. With
+    /// --submit, the folder of the parts' files [default: cordon-, and a hash of the sweep]
     #[arg(long, value_name = "FILE", conflicts_with = "protocol")]
     pub(super) out: Option<PathBuf>,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     pub(super) format: OutputFormat,
+    #[command(flatten)]
+    pub(super) cluster: super::submit::Options,
 }
 
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
@@ -159,26 +162,39 @@ impl Options {
 
     /// Says on stderr how to draw the same starts again.
     pub(super) fn say_how_to_repeat(&self, config: &Config) {
-        let StartSpace::Sample { resolution, samples, seed } = config.starts else { return };
-        let weights = match &config.weights {
-            WeightSet::List(list) => format!("--eps {}", comma_list(list)),
-            WeightSet::Range { from, to, max_denominator } => {
-                format!("--eps-range {from}..{to} --max-denominator {max_denominator}")
-            }
-        };
-        let form = match config.forms.as_slice() {
-            [one] => one.label(),
-            _ => "both",
-        };
-        let any = if config.only_weights_of_the_theorem { "" } else { " --any-weight" };
+        if !matches!(config.starts, StartSpace::Sample { .. }) {
+            return;
+        }
         let shard = self.shard.as_ref().map_or_else(String::new, |s| format!(" --shard {s}"));
-        let [fewest, most] = config.drones;
         // Nothing is left to be done where stderr is closed.
-        let _ = writeln!(
-            std::io::stderr(),
-            "reproduce: cordon sweep {} --form {form} --drones {fewest}..{most} {weights}{any} --grid {resolution} --steps {} --sample {samples} --seed {seed}{shard}",
-            theorems::numbers(&config.theorems, ","),
-            config.steps,
-        );
+        let _ = writeln!(std::io::stderr(), "reproduce: cordon sweep {}{shard}", arguments(config));
     }
+}
+
+/// The arguments of `cordon sweep` that ask for this configuration.
+pub(super) fn arguments(config: &Config) -> String {
+    let theorems = theorems::numbers(&config.theorems, ",");
+    let form = match config.forms.as_slice() {
+        [one] => one.label(),
+        _ => "both",
+    };
+    let [fewest, most] = config.drones;
+    let weights = match &config.weights {
+        WeightSet::List(list) => format!("--eps {}", comma_list(list)),
+        WeightSet::Range { from, to, max_denominator } => {
+            format!("--eps-range {from}..{to} --max-denominator {max_denominator}")
+        }
+    };
+    let any = if config.only_weights_of_the_theorem { "" } else { " --any-weight" };
+    let starts = match config.starts {
+        StartSpace::Complete => "--complete".to_owned(),
+        StartSpace::Grid { resolution } => format!("--grid {resolution}"),
+        StartSpace::Sample { resolution, samples, seed } => {
+            format!("--grid {resolution} --sample {samples} --seed {seed}")
+        }
+    };
+    let steps = config.steps;
+    format!(
+        "{theorems} --form {form} --drones {fewest}..{most} {weights}{any} --steps {steps} {starts}"
+    )
 }

@@ -7,13 +7,13 @@ use cordon_spec::Phase;
 
 use crate::control::{Control, Gains};
 use crate::coordination::{Coordination, Exchange, Law, OnLoss, Settings};
-use crate::fingerprint::Fingerprint;
 use crate::fmi::carried::Carried;
 use crate::plant::{Integrator, Plant};
 use crate::quotient::Quotient;
 use crate::unit::{Causality, Dimension, Resumable, Value, Variable};
 use cordon_core::Result;
 use cordon_core::exact::{self, Rational};
+use cordon_core::fingerprint::Fingerprint;
 use cordon_run::scenario::{Protocol, Scenario};
 
 /// A version of the FMI standard.

@@ -5,9 +5,9 @@ use std::io::Write;
 use serde::{Deserialize, Serialize};
 
 use crate::collision::{Event, EventKind};
-use crate::fingerprint::Fingerprint;
 use crate::record::{Flown, Height, Record, Series, Setup, Track};
 use cordon_core::exact;
+use cordon_core::fingerprint::Fingerprint;
 use cordon_core::{Error, Result};
 
 const SCHEMA: &str = "cordon-cosim/1";

@@ -10,8 +10,11 @@ use std::mem::replace;
 use cordon_spec::Scalar;
 use cordon_spec::theorems::{Form, Setting, Theorem, Verdict};
 
+use num_bigint::BigInt;
+use num_traits::Zero;
+
 use super::machine::Widened;
-use cordon_core::stencil::Stencil;
+use cordon_core::stencil::{Role, Stencil, Weights};
 
 /// Storage for the positions of one placement: an array where N is known to the compiler, a
 /// vector otherwise.
@@ -45,26 +48,79 @@ impl Shape for Dynamic {
     }
 }
 
+/// The weights of a [`Stencil`] that are not 0.
+#[derive(Clone, Debug)]
+pub struct Update<S = BigInt> {
+    /// The common denominator.
+    pub den: S,
+    /// Of drone 0, of every drone between, of drone N-1.
+    roles: [Weights<Option<S>>; 3],
+}
+
+impl Update {
+    /// The weights of a stencil.
+    pub fn of(stencil: &Stencil) -> Self {
+        let other = |w: &BigInt| (!w.is_zero()).then(|| w.clone());
+        let roles = Role::ALL.map(|role| stencil.weights(role).map(other));
+        Self { den: stencil.den.clone(), roles }
+    }
+
+    /// The same weights as numbers of another kind.
+    ///
+    /// # Errors
+    /// The first that `f` reports.
+    pub fn try_map<U, E>(&self, f: impl Fn(&BigInt) -> Result<U, E>) -> Result<Update<U>, E> {
+        let role = |w: &Weights<Option<BigInt>>| w.try_map(|w| w.as_ref().map(&f).transpose());
+        let [first, internal, last] = &self.roles;
+        let roles = [role(first)?, role(internal)?, role(last)?];
+        Ok(Update { den: f(&self.den)?, roles })
+    }
+}
+
+/// The sum of weights times positions.
+#[inline(always)]
+fn weighted<S: Scalar, const T: usize>(terms: [(&Option<S>, &S); T]) -> Option<S> {
+    let mut sum: Option<S> = None;
+    for (weight, x) in terms {
+        let Some(weight) = weight else { continue };
+        let term = weight.clone() * x;
+        sum = Some(match sum {
+            Some(sum) => sum + &term,
+            None => term,
+        });
+    }
+    sum
+}
+
 /// One protocol step of the placement `x`, the result over `den` times the denominator that
 /// `x`, `min` and `max` have. Every drone reads old positions only.
-pub fn step<S: Scalar>(stencil: &Stencil<S>, min: &S, max: &S, x: &mut [S]) {
+#[inline(always)]
+pub fn step<S: Scalar>(update: &Update<S>, min: &S, max: &S, x: &mut [S]) {
     let Some(last) = x.len().checked_sub(1) else { return };
-    let internal = &stencil.internal;
+    let [first, internal, end] = &update.roles;
     // The same for every internal drone.
-    let ends = internal.min.clone() * min + &(internal.max.clone() * max);
+    let ends = weighted([(&internal.min, min), (&internal.max, max)]);
     let mut prec = min.clone();
     for i in 0..=last {
         let next = if i == 0 || i == last {
             let foll = if i == last { max } else { &x[i + 1] };
-            let weights = if i == 0 { &stencil.first } else { &stencil.last };
-            weights.apply(min, max, &prec, &x[i], foll)
+            let w = if i == 0 { first } else { end };
+            weighted([
+                (&w.min, min),
+                (&w.max, max),
+                (&w.prec, &prec),
+                (&w.own, &x[i]),
+                (&w.foll, foll),
+            ])
         } else {
-            internal.prec.clone() * &prec
-                + &(internal.own.clone() * &x[i])
-                + &(internal.foll.clone() * &x[i + 1])
-                + &ends
+            let w = internal;
+            let line = weighted([(&w.prec, &prec), (&w.own, &x[i]), (&w.foll, &x[i + 1])]);
+            match (line, &ends) {
+                (Some(line), Some(ends)) => Some(line + ends),
+                (line, ends) => line.or_else(|| ends.clone()),
+            }
         };
-        prec = replace(&mut x[i], next);
+        prec = replace(&mut x[i], next.unwrap_or_else(|| S::from_int(0)));
     }
 }
 
@@ -78,39 +134,41 @@ pub struct Window<S, M> {
 
 impl<S: Scalar + Send + Sync, M: AsRef<[S]> + AsMut<[S]> + Clone> Window<S, M> {
     /// The window of step 0 for a start in a segment.
-    pub fn new(setting: Setting<S>, start: M, span: usize, stencil: &Stencil<S>) -> Self {
+    pub fn new(setting: Setting<S>, start: M, span: usize, update: &Update<S>) -> Self {
         let mut window = Self { setting, run: Vec::with_capacity(span + 1) };
         window.run.push(start);
         for _ in 0..span {
             if let Some(newest) = window.run.last().cloned() {
                 window.run.push(newest);
             }
-            window.lift(stencil);
+            window.lift(update);
         }
         window
     }
 
     /// From step k to step k+1.
-    pub fn advance(&mut self, stencil: &Stencil<S>) {
+    #[inline(always)]
+    pub fn advance(&mut self, update: &Update<S>) {
         let span = self.run.len().saturating_sub(1);
         for h in 0..span {
             if let [to, from, ..] = &mut self.run[h..] {
                 to.clone_from(from);
             }
         }
-        self.lift(stencil);
+        self.lift(update);
     }
 
     /// Steps the newest placement and brings all else to its denominator.
-    fn lift(&mut self, stencil: &Stencil<S>) {
+    #[inline(always)]
+    fn lift(&mut self, update: &Update<S>) {
         let Setting { min, max, .. } = &mut self.setting;
         let Some((newest, older)) = self.run.split_last_mut() else { return };
-        step(stencil, min, max, newest.as_mut());
+        step(update, min, max, newest.as_mut());
         for x in older.iter_mut().flat_map(|m| m.as_mut().iter_mut()) {
-            scale(x, &stencil.den);
+            scale(x, &update.den);
         }
-        scale(min, &stencil.den);
-        scale(max, &stencil.den);
+        scale(min, &update.den);
+        scale(max, &update.den);
     }
 
     /// What a theorem says of this window.

@@ -1,5 +1,6 @@
-//! Integers of the sweep kernel: three fixed widths whose range is proved before they are
-//! used (see [`super::range`]), and big integers beyond.
+//! Integers of the sweep kernel: fixed widths whose range is proved before they are used (see
+//! [`super::range`]), 32 and 64 bits for several starts at once ([`super::lanes`]), and big
+//! integers beyond.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Sub};
@@ -13,36 +14,17 @@ pub trait Machine: Ordered + Send + Sync {
     /// Largest number of bits that a magnitude may have; `None` where there is no limit.
     const MAGNITUDE_BITS: Option<u64>;
 
-    /// The number; every type here holds it.
+    /// The number; the range of what is passed is proved.
     fn from_i64(x: i64) -> Self;
 
     /// The number, where it is in range.
     fn narrow(x: &BigInt) -> Option<Self>;
-
-    /// The same number as a big integer.
-    fn widen(&self) -> BigInt;
 }
 
 /// A machine integer that holds every value of a narrower one.
 pub trait Widened<Narrow> {
     /// The same number.
     fn widened(x: &Narrow) -> Self;
-}
-
-impl Machine for i64 {
-    const MAGNITUDE_BITS: Option<u64> = Some(63);
-
-    fn from_i64(x: i64) -> Self {
-        x
-    }
-
-    fn narrow(x: &BigInt) -> Option<Self> {
-        Self::try_from(x).ok()
-    }
-
-    fn widen(&self) -> BigInt {
-        (*self).into()
-    }
 }
 
 impl Machine for i128 {
@@ -55,10 +37,6 @@ impl Machine for i128 {
     fn narrow(x: &BigInt) -> Option<Self> {
         Self::try_from(x).ok()
     }
-
-    fn widen(&self) -> BigInt {
-        (*self).into()
-    }
 }
 
 impl Machine for BigInt {
@@ -70,10 +48,6 @@ impl Machine for BigInt {
 
     fn narrow(x: &BigInt) -> Option<Self> {
         Some(x.clone())
-    }
-
-    fn widen(&self) -> BigInt {
-        self.clone()
     }
 }
 
@@ -131,10 +105,6 @@ impl Machine for Wide {
         whole.get_mut(..bytes.len())?.copy_from_slice(&bytes);
         Some(Self(I256::from_le_bytes(whole)))
     }
-
-    fn widen(&self) -> BigInt {
-        BigInt::from_signed_bytes_le(&self.0.to_le_bytes())
-    }
 }
 
 impl Widened<i64> for i128 {
@@ -151,7 +121,7 @@ impl Widened<i128> for Wide {
 
 impl Widened<Wide> for BigInt {
     fn widened(x: &Wide) -> Self {
-        x.widen()
+        Self::from_signed_bytes_le(&x.0.to_le_bytes())
     }
 }
 
@@ -166,7 +136,7 @@ mod tests {
         let top: BigInt = BigInt::from(2).pow(255u32) - 1;
         let bottom: BigInt = -BigInt::from(2).pow(255u32);
         for x in [&top, &bottom, &BigInt::one(), &-BigInt::one(), &BigInt::from(-128)] {
-            assert_eq!(Wide::narrow(x).map(|w| w.widen()), Some(x.clone()));
+            assert_eq!(Wide::narrow(x).map(|w| BigInt::widened(&w)), Some(x.clone()));
         }
         assert_eq!(Wide::narrow(&(top + 1)), None);
         assert_eq!(Wide::narrow(&(bottom - 1)), None);
@@ -181,9 +151,9 @@ mod tests {
                 let (Some(x), Some(y)) = (Wide::narrow(a), Wide::narrow(b)) else {
                     unreachable!("in range")
                 };
-                assert_eq!((x + &y).widen(), a + b);
-                assert_eq!((x - &y).widen(), a - b);
-                assert_eq!((x * &y).widen(), a * b);
+                assert_eq!(BigInt::widened(&(x + &y)), a + b);
+                assert_eq!(BigInt::widened(&(x - &y)), a - b);
+                assert_eq!(BigInt::widened(&(x * &y)), a * b);
                 assert_eq!(x.compare(&y), Some(a.cmp(b)));
             }
         }

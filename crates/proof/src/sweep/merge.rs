@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use super::config::{Config, Item};
 use super::finding::Finding;
 use super::run::{Progress, run};
-use super::store::{Header, Shard, belongs, consistent, difference, read};
+use super::shard::Shard;
+use super::store::{Header, belongs, consistent, difference, read};
 use cordon_core::random::SplitMix;
 use cordon_core::{Error, Result};
 

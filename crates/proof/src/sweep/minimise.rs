@@ -1,7 +1,7 @@
 //! The simplest counterexample of a sweep.
 
 use super::config::Item;
-use super::exhaust::{Tally, engine};
+use super::exhaust::{Trial, engine};
 use super::finding::{Finding, Witness};
 use super::grid::Grid;
 use super::range::degree;
@@ -55,11 +55,12 @@ fn shortest(item: &Item, found: &Counterexample) -> Option<Counterexample> {
     for length in 1..=longest {
         let grid = Grid::of_length(starts(item), item.drones, length)?;
         let engine = engine(item, found.step, length);
-        let mut tally = Tally::default();
+        let mut trial = Trial::new(&*engine, Grid::mirrored(item.theorem, starts(item)));
         grid.for_each(&grid.whole(), |start| {
-            engine.start(start, false, &mut tally);
-            tally.counts.updates < left
+            trial.start(start);
+            trial.so_far().counts.updates < left
         });
+        let tally = trial.end();
         if let Some(shorter) = tally.counterexample(item) {
             return Some(shorter);
         }

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use super::complete::complete;
 use super::config::{Config, Item, StartSpace};
-use super::exhaust::{Tally, engine, sweep};
+use super::exhaust::{Tally, Trial, engine};
 use super::finding::{Finding, Witness};
 use super::grid::Grid;
 use super::sample::{PIECE, sample};
@@ -118,7 +118,16 @@ pub fn run(
     Ok(())
 }
 
+/// In how many shares, at most, the pieces of a grid are run: each fills its last batch of
+/// starts by itself.
+const SHARES: usize = 512;
+
 fn find(config: &Config, item: &Item, progress: &Progress) -> Result<Finding> {
+    let done = |tally: Tally| {
+        let covered = tally.counts.starts.saturating_mul(per_start(config, item));
+        progress.add(covered, tally.counts.updates);
+        tally
+    };
     match config.starts {
         StartSpace::Complete => {
             let finding = complete(item, config.steps);
@@ -128,14 +137,14 @@ fn find(config: &Config, item: &Item, progress: &Progress) -> Result<Finding> {
         StartSpace::Grid { resolution } => {
             let grid = grid(item, resolution)?;
             let engine = engine(item, config.steps, grid.length);
-            let updates = per_start(config, item);
-            let tally = grid
-                .pieces()
-                .par_iter()
-                .map(|piece| {
-                    let tally = sweep(&*engine, &grid, piece);
-                    progress.add(tally.counts.starts.saturating_mul(updates), tally.counts.updates);
-                    tally
+            let mirrored = Grid::mirrored(item.theorem, starts(item));
+            let pieces = grid.pieces();
+            let tally = pieces
+                .par_chunks(pieces.len().div_ceil(SHARES))
+                .map(|pieces| {
+                    let mut trial = Trial::new(&*engine, mirrored);
+                    pieces.iter().for_each(|piece| trial.sweep(&grid, piece));
+                    done(trial.end())
                 })
                 .reduce(Tally::default, Tally::merge);
             finding(item, Evidence::ExhaustiveOnGrid, &grid, &tally)
@@ -143,14 +152,9 @@ fn find(config: &Config, item: &Item, progress: &Progress) -> Result<Finding> {
         StartSpace::Sample { resolution, samples, seed } => {
             let grid = grid(item, resolution)?;
             let engine = engine(item, config.steps, grid.length);
-            let updates = per_start(config, item);
             let tally = (0..samples.div_ceil(PIECE))
                 .into_par_iter()
-                .map(|piece| {
-                    let tally = sample(&*engine, &grid, samples, piece, seed, item.number);
-                    progress.add(tally.counts.starts.saturating_mul(updates), tally.counts.updates);
-                    tally
-                })
+                .map(|piece| done(sample(&*engine, &grid, samples, piece, seed, item.number)))
                 .reduce(Tally::default, Tally::merge);
             finding(item, Evidence::Sampled, &grid, &tally)
         }

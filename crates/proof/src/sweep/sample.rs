@@ -1,6 +1,6 @@
 //! Random starts of a grid, for grids too large to exhaust.
 
-use super::exhaust::{Engine, Tally};
+use super::exhaust::{Engine, Tally, Trial};
 use super::grid::Grid;
 use cordon_core::random::SplitMix;
 
@@ -18,7 +18,7 @@ pub fn sample(
     seed: u64,
     item: usize,
 ) -> Tally {
-    let mut tally = Tally::default();
+    let mut trial = Trial::new(engine, false);
     let mut seeds = SplitMix::new(seed);
     // A seed a piece: the generator's own output keeps neighbouring pieces apart.
     let mut random = SplitMix::new(seeds.bits() ^ (item as u64).rotate_left(40) ^ piece);
@@ -28,9 +28,9 @@ pub fn sample(
         if !grid.draw(&mut |bound| random.below(bound), &mut start) {
             break;
         }
-        engine.start(&start, true, &mut tally);
+        trial.start(&start);
     }
-    tally
+    trial.end()
 }
 
 #[cfg(test)]

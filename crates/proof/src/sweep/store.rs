@@ -2,55 +2,26 @@
 //! work item, in the order of the items.
 //!
 //! A file grows by whole lines only. A sweep that was killed leaves at most its last line torn;
-//! opening the file again cuts that off, takes over what is finished and goes on.
+//! opening the file again cuts that off, takes over what is finished and goes on. Two processes
+//! do not write one file: it is locked while it is open.
 
-use std::fs::{File, OpenOptions};
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::thread::sleep;
+use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
 use super::config::{Config, Item};
 use super::consistent::contradiction;
 use super::finding::Finding;
+use super::shard::Shard;
 use cordon_core::files::{self, Limit};
 use cordon_core::{Error, Result};
 
 /// Name and version of the file format.
 pub const SCHEMA: &str = "cordon-sweep/1";
-
-/// Which part of a sweep: the work items whose number is `index - 1` modulo `of`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Shard {
-    /// From 1 to `of`.
-    pub index: usize,
-    /// Number of parts, at least 1.
-    pub of: usize,
-}
-
-impl Shard {
-    /// The whole sweep as its only part.
-    pub const WHOLE: Self = Self { index: 1, of: 1 };
-
-    /// Reads `i/n` with 1 <= i <= n.
-    ///
-    /// # Errors
-    /// Anything else.
-    pub fn parse(text: &str) -> Result<Self> {
-        let bad =
-            || Error::input(format!("shard: `{text}`: expected I/N with 1 <= I <= N, like 2/8"));
-        let (index, of) = text.split_once('/').ok_or_else(bad)?;
-        let index = index.trim().parse().map_err(|_| bad())?;
-        let of = of.trim().parse().map_err(|_| bad())?;
-        if index < 1 || index > of { Err(bad()) } else { Ok(Self { index, of }) }
-    }
-
-    /// Its items among those of the whole sweep.
-    pub fn of_items(self, items: Vec<Item>) -> Vec<Item> {
-        items.into_iter().filter(|item| item.number % self.of == self.index - 1).collect()
-    }
-}
 
 /// The first line of a file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -90,7 +61,10 @@ pub struct Read {
 /// The file cannot be read, does not begin with a whole header of this format, or has a bad
 /// line.
 pub fn read(path: &Path) -> Result<Read> {
-    let bytes = files::read(path, Limit::SWEEP)?;
+    parsed(path, &files::read(path, Limit::SWEEP)?)
+}
+
+fn parsed(path: &Path, bytes: &[u8]) -> Result<Read> {
     let bad = |line: usize, why: String| {
         Error::input(format!("`{}`, line {line}: {why}", path.display()))
     };
@@ -119,7 +93,7 @@ struct Schema {
     schema: String,
 }
 
-/// A result file open for more findings.
+/// A result file open for more findings, locked: no other process writes it.
 #[derive(Debug)]
 pub struct Store {
     path: PathBuf,
@@ -131,26 +105,29 @@ impl Store {
     /// holds, which are those of the first of `items`.
     ///
     /// # Errors
-    /// The file holds another sweep or is damaged, or cannot be read or written.
+    /// The file holds another sweep or is damaged, another process is writing it, or it cannot
+    /// be read or written.
     pub fn open(path: &Path, header: &Header, items: &[Item]) -> Result<(Self, Vec<Finding>)> {
-        let begun = match std::fs::metadata(path) {
-            Ok(meta) if !meta.is_file() => return Self::through(path, header),
-            Ok(meta) => meta.len() > 0,
-            Err(e) if e.kind() == std::io::ErrorKind::NotFound => false,
-            Err(e) => return Err(Error::file("read", path, e)),
-        };
-        let (findings, whole) = if begun {
-            let old = read(path)?;
+        if std::fs::metadata(path).is_ok_and(|meta| !meta.is_file()) {
+            return Self::through(path, header);
+        }
+        let fail = |e| Error::file("write", path, e);
+        let mut options = OpenOptions::new();
+        let mut file = options.write(true).create(true).truncate(false).open(path).map_err(fail)?;
+        lock(path, &file)?;
+        let line = line_of(header)?;
+        let bytes = files::read(path, Limit::SWEEP)?;
+        let torn = bytes.len() < line.len() && line.as_bytes().starts_with(&bytes);
+        let (findings, whole) = if torn {
+            file.set_len(0).map_err(fail)?;
+            file.write_all(line.as_bytes()).map_err(fail)?;
+            (Vec::new(), line.len() as u64)
+        } else {
+            let old = parsed(path, &bytes)?;
             same(path, header, &old.header)?;
             in_order(path, &header.config, &old.findings, items)?;
             (old.findings, old.whole)
-        } else {
-            let line = line_of(header)?;
-            files::write_atomically(path, line.as_bytes())?;
-            (Vec::new(), line.len() as u64)
         };
-        let fail = |e| Error::file("write", path, e);
-        let mut file = OpenOptions::new().write(true).open(path).map_err(fail)?;
         file.set_len(whole).map_err(fail)?;
         file.seek(SeekFrom::End(0)).map_err(fail)?;
         Ok((Self { path: path.to_owned(), file }, findings))
@@ -183,6 +160,39 @@ impl Store {
             Err(_) if !files::is_regular(&self.path) => Ok(()),
             ended => ended.map_err(|e| Error::file("write", &self.path, e)),
         }
+    }
+}
+
+/// How often a lock is asked for, and how long is waited in between: whoever only looks
+/// ([`is_being_written`]) holds it for a moment.
+const TRIES: usize = 5;
+const WAIT: Duration = Duration::from_millis(100);
+
+/// Locks the file until it is closed.
+fn lock(path: &Path, file: &File) -> Result<()> {
+    for _ in 0..TRIES {
+        match file.try_lock() {
+            Ok(()) => return Ok(()),
+            Err(TryLockError::WouldBlock) => sleep(WAIT),
+            Err(TryLockError::Error(e)) => return Err(Error::file("lock", path, e)),
+        }
+    }
+    Err(Error::input(format!(
+        "out: `{}`: another process is writing it: expected its end, or another file",
+        path.display()
+    )))
+}
+
+/// Whether a process has the result file open for more findings.
+///
+/// # Errors
+/// The file cannot be opened, or its file system has no locks.
+pub fn is_being_written(path: &Path) -> Result<bool> {
+    let file = File::open(path).map_err(|e| Error::file("read", path, e))?;
+    match file.try_lock_shared() {
+        Ok(()) => Ok(false),
+        Err(TryLockError::WouldBlock) => Ok(true),
+        Err(TryLockError::Error(e)) => Err(Error::file("lock", path, e)),
     }
 }
 

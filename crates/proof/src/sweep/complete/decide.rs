@@ -12,7 +12,7 @@ use crate::start_sets::{
     unit_error, witness,
 };
 use crate::sweep::config::Item;
-use crate::sweep::kernel::{Window, step};
+use crate::sweep::kernel::{Update, Window, step};
 use cordon_core::stencil::Stencil;
 
 type Run = Window<BigInt, Vec<BigInt>>;
@@ -47,7 +47,7 @@ impl Premise {
 /// The generators of a work item's start set, stepped along k.
 pub(super) struct Decider<'a> {
     item: &'a Item,
-    stencil: Stencil,
+    update: Update,
     generators: Vec<Generator>,
     runs: Vec<Run>,
     matrix: ErrorMatrix,
@@ -76,13 +76,14 @@ impl<'a> Decider<'a> {
     pub(super) fn new(item: &'a Item) -> Self {
         let (theorem, form, count) = (item.theorem, item.form, item.drones);
         let stencil = Stencil::of(&item.eps);
+        let update = Update::of(&stencil);
         let generators = generators(theorem.hypothesis(form).starts, count);
-        let runs = generators.iter().map(|g| run_from(item, &stencil, &g.placement)).collect();
-        let at_targets = run_from(item, &stencil, &targets(count)).verdict(theorem, form);
+        let runs = generators.iter().map(|g| run_from(item, &update, &g.placement)).collect();
+        let at_targets = run_from(item, &update, &targets(count)).verdict(theorem, form);
         let matrix = ErrorMatrix::of(&item.eps, count);
-        let units = (theorem == Theorem::GloballyIncreasing).then(|| Units::new(item, &stencil));
+        let units = (theorem == Theorem::GloballyIncreasing).then(|| Units::new(item, &update));
         let lawful = lawful(&stencil, count);
-        Self { item, stencil, generators, runs, matrix, at_targets, units, lawful }
+        Self { item, update, generators, runs, matrix, at_targets, units, lawful }
     }
 
     pub(super) fn generator_count(&self) -> usize {
@@ -97,7 +98,7 @@ impl<'a> Decider<'a> {
     pub(super) fn advance(&mut self) {
         let units = self.units.iter_mut().flat_map(|u| u.runs.iter_mut());
         for run in self.runs.iter_mut().chain(units) {
-            run.advance(&self.stencil);
+            run.advance(&self.update);
         }
     }
 
@@ -300,12 +301,12 @@ impl<'a> Decider<'a> {
 }
 
 impl Units {
-    fn new(item: &Item, stencil: &Stencil) -> Self {
+    fn new(item: &Item, update: &Update) -> Self {
         let count = item.drones;
         let starts: Vec<_> = (1..count - 1)
             .map(|j| plus(&targets(count), &1.into(), &unit_error(count, j)))
             .collect();
-        let runs: Vec<_> = starts.iter().map(|x| run_from(item, stencil, x)).collect();
+        let runs: Vec<_> = starts.iter().map(|x| run_from(item, update, x)).collect();
         let verdicts = runs.iter().map(|run| run.verdict(item.theorem, item.form)).collect();
         let sharp = |run: &Run| run.verdict(item.theorem, Form::Sharp) == Verdict::Holds;
         let rise_in_time = runs.iter().all(sharp);
@@ -325,7 +326,7 @@ fn lawful(stencil: &Stencil, count: usize) -> bool {
     [here, shifted].into_iter().all(|x| {
         let (Some(min), Some(max)) = (x.first(), x.last()) else { return false };
         let mut after = x.clone();
-        step(stencil, min, max, &mut after);
+        step(&Update::of(stencil), min, max, &mut after);
         after.iter().zip(&x).all(|(after, x)| *after == x * &stencil.den)
     })
 }

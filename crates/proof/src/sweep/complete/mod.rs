@@ -45,7 +45,7 @@ use num_traits::Zero;
 
 use super::config::Item;
 use super::finding::{Counts, Finding, Witness};
-use super::kernel::Window;
+use super::kernel::{Update, Window};
 use super::run::starts;
 use cordon_core::stencil::Stencil;
 use cordon_core::{Evidence, Rational};
@@ -100,22 +100,22 @@ pub fn complete(item: &Item, steps: usize) -> Finding {
 /// Whether the spec's predicates say that a placement is a start and that its run violates the
 /// conclusion about step k.
 fn violates(item: &Item, k: usize, start: &[BigInt]) -> bool {
-    let stencil = Stencil::of(&item.eps);
-    let mut run = run_from(item, &stencil, start);
+    let update = Update::of(&Stencil::of(&item.eps));
+    let mut run = run_from(item, &update, start);
     let admitted = run.setting.min < run.setting.max
         && run.run.first().is_some_and(|x| starts(item).contains(&run.setting, x).is_true());
     if !admitted {
         return false;
     }
     for _ in 0..k {
-        run.advance(&stencil);
+        run.advance(&update);
     }
     matches!(run.verdict(item.theorem, item.form), Verdict::Violated(_))
 }
 
 /// The run from a placement that need not be a start; the segment is from its first drone to
 /// its last.
-fn run_from(item: &Item, stencil: &Stencil, placement: &[BigInt]) -> Window<BigInt, Vec<BigInt>> {
+fn run_from(item: &Item, update: &Update, placement: &[BigInt]) -> Window<BigInt, Vec<BigInt>> {
     let end = |x: Option<&BigInt>| x.cloned().unwrap_or_else(BigInt::zero);
     let setting = Setting {
         min: end(placement.first()),
@@ -124,5 +124,5 @@ fn run_from(item: &Item, stencil: &Stencil, placement: &[BigInt]) -> Window<BigI
         eps_den: item.eps.denom().clone(),
     };
     let span = item.theorem.span(item.form, item.drones);
-    Window::new(setting, placement.to_vec(), span, stencil)
+    Window::new(setting, placement.to_vec(), span, update)
 }

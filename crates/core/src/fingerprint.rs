@@ -1,8 +1,8 @@
 //! A 64-bit FNV-1a hash: no protection against malice, enough against mistakes.
 
 /// The hash of what was added so far.
-#[derive(Clone, Copy)]
-pub(crate) struct Fingerprint(u64);
+#[derive(Clone, Copy, Debug)]
+pub struct Fingerprint(u64);
 
 impl Default for Fingerprint {
     fn default() -> Self {
@@ -11,20 +11,21 @@ impl Default for Fingerprint {
 }
 
 impl Fingerprint {
-    pub(crate) fn add(&mut self, bytes: &[u8]) {
+    /// Adds bytes.
+    pub fn add(&mut self, bytes: &[u8]) {
         for byte in bytes {
             self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
         }
     }
 
     /// Adds a text, separated from the next one by a byte that no text has.
-    pub(crate) fn add_text(&mut self, text: &str) {
+    pub fn add_text(&mut self, text: &str) {
         self.add(text.as_bytes());
         self.add(&[0xff]);
     }
 
     /// Sixteen hexadecimal digits.
-    pub(crate) fn hex(self) -> String {
+    pub fn hex(self) -> String {
         format!("{:016x}", self.0)
     }
 }

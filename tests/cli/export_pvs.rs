@@ -1,17 +1,18 @@
-//! The PVS export. PVS itself is not at hand in CI, so a small structural checker reads the
-//! theories: brackets and keywords balance, importings resolve with the right number of
+//! The PVS export. PVS itself is not at hand in CI (`proofs/pvs/check.sh` runs it), so a small
+//! structural checker reads the theories: brackets and keywords balance, importings resolve with the right number of
 //! parameters, every identifier used is declared. The checker is tested on broken theories.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::common::tools::{stderr_of, stdout_of};
 use cordon_core::theorems::words;
-use cordon_spec::theorems::Theorem;
+use cordon_spec::theorems::{Form, StartSet, Theorem, WeightRange};
 
 /// The words of the language that the export uses.
 const RESERVED: &[&str] = &[
     "AND",
     "BEGIN",
+    "CONJECTURE",
     "ELSE",
     "ELSIF",
     "END",
@@ -24,6 +25,7 @@ const RESERVED: &[&str] = &[
     "IMPORTING",
     "IN",
     "LAMBDA",
+    "LEMMA",
     "LET",
     "MEASURE",
     "NOT",
@@ -33,6 +35,7 @@ const RESERVED: &[&str] = &[
     "THEOREM",
     "THEORY",
     "TYPE",
+    "VAR",
     "WITH",
 ];
 
@@ -54,7 +57,6 @@ const RESERVED_UNUSED: &[&str] = &[
     "CODATATYPE",
     "COINDUCTIVE",
     "COND",
-    "CONJECTURE",
     "CONTAINING",
     "CONVERSION",
     "COROLLARY",
@@ -72,7 +74,6 @@ const RESERVED_UNUSED: &[&str] = &[
     "INDUCTIVE",
     "JUDGEMENT",
     "LAW",
-    "LEMMA",
     "LIBRARY",
     "MACRO",
     "NONEMPTY_TYPE",
@@ -86,7 +87,6 @@ const RESERVED_UNUSED: &[&str] = &[
     "SUBTYPES",
     "SUBTYPE_OF",
     "TABLE",
-    "VAR",
     "WHEN",
     "WHERE",
     "XOR",
@@ -95,7 +95,7 @@ const RESERVED_UNUSED: &[&str] = &[
 /// What the export takes from the prelude (looked up in PVS's own prelude.pvs).
 const PRELUDE: &[&str] = &[
     "nat", "posnat", "real", "nnreal", "posreal", "bool", "TRUE", "below", "upto", "list", "cons",
-    "cons?", "car", "cdr", "null", "abs", "expt",
+    "cons?", "car", "cdr", "null", "abs", "expt", "pred",
 ];
 
 fn tokens(text: &str) -> Vec<String> {
@@ -284,21 +284,28 @@ fn problems(files: &[&str]) -> Vec<String> {
     found
 }
 
-fn exported(args: &[&str]) -> Vec<String> {
+/// The files of an export: theories, and the proofs of each.
+fn exported(args: &[&str]) -> Vec<(String, String)> {
     let dir = tempfile::tempdir().unwrap();
     let folder = dir.path().join("new/folder");
     let mut full = vec!["export", "pvs", "--out", folder.to_str().unwrap()];
     full.extend(args);
     let listed = stdout_of(&full);
     let paths: Vec<_> = listed.lines().collect();
-    assert_eq!(paths.len(), 3, "{listed}");
-    paths.iter().map(|p| std::fs::read_to_string(p).unwrap()).collect()
+    let read = |p: &str| std::fs::read_to_string(p).unwrap();
+    let named = |pair: &[&str]| {
+        assert_eq!(pair[0].strip_suffix(".pvs"), pair[1].strip_suffix(".prf"), "{listed}");
+        (read(pair[0]), read(pair[1]))
+    };
+    let files: Vec<_> = paths.chunks(2).map(named).collect();
+    assert_eq!(files.len(), 5, "{listed}");
+    files
 }
 
 #[test]
 fn every_theory_is_well_formed() {
     let files = exported(&[]);
-    let texts: Vec<_> = files.iter().map(String::as_str).collect();
+    let texts: Vec<_> = files.iter().map(|f| f.0.as_str()).collect();
     assert_eq!(problems(&texts), Vec::<String>::new());
     let names: Vec<_> = texts.iter().flat_map(|t| theories(t).unwrap()).map(|t| t.name).collect();
     assert_eq!(
@@ -307,10 +314,15 @@ fn every_theory_is_well_formed() {
             "coverage",
             "coverage_execution",
             "coverage_table",
+            "coverage_definitions",
+            "coverage_lemmas",
             "coverage_theorems",
             "fmu_coverage",
             "fmu_exec_coverage",
             "projection",
+            "sums",
+            "consensus",
+            "consensus_path",
             "coverage_scenario"
         ]
     );
@@ -319,7 +331,7 @@ fn every_theory_is_well_formed() {
 #[test]
 fn the_checker_finds_what_is_broken() {
     let files = exported(&[]);
-    let [global, local, scenario] = [&files[0], &files[1], &files[2]];
+    let [global, rest @ ..] = files.as_slice() else { unreachable!() };
     for (from, to, said) in [
         ("END coverage_table", "END coverage_tables", "ended by another name"),
         ("END coverage_table", "", "coverage_table: ended by another name"),
@@ -329,44 +341,124 @@ fn the_checker_finds_what_is_broken() {
         ("IMPORTING coverage[N, n]", "IMPORTING coverages[N, n]", "imports unknown `coverages`"),
         ("IMPORTING coverage[N, n]", "IMPORTING coverage[N]", "takes 2 parameters"),
         ("exec_cvg(xp, xi, xf, i)", "exec_cvg(xp, xi, xg, i)", "`xg` is not declared"),
-        ("(k0: nat)", "(from: nat)", "`from` is reserved"),
-        ("spacing: real =", "spacings: real =", "`spacing` is not declared"),
+        ("(t: tabState, k: nat)", "(t: tabState, from: nat)", "`from` is reserved"),
     ] {
-        assert!(global.contains(from), "{from}");
-        let broken = global.replacen(from, to, 1);
-        let found = problems(&[&broken, local, scenario]);
+        assert!(global.0.contains(from), "{from}");
+        let broken = global.0.replacen(from, to, 1);
+        let mut texts = vec![broken.as_str()];
+        texts.extend(rest.iter().map(|f| f.0.as_str()));
+        let found = problems(&texts);
         assert!(found.iter().any(|f| f.contains(said)), "{from} -> {to}: {found:?}");
     }
 }
 
-#[test]
-fn every_theorem_is_stated_with_its_erratum() {
-    let global = &exported(&[])[0];
-    let unwrapped = global.replace("\n  %  ", "");
-    for theorem in Theorem::ALL {
-        let (number, text) = (theorem.number(), words(theorem));
-        assert!(unwrapped.contains(&format!("  % {number} {}.", text.name)), "{number}");
-        if let Some(erratum) = text.erratum {
-            assert!(unwrapped.contains(&format!("% Erratum: {erratum}.")), "{number}");
-        }
+/// The weights of a hypothesis. No `_`: a new range needs its PVS twin.
+fn weights(range: WeightRange) -> &'static str {
+    match range {
+        WeightRange::Any => "TRUE",
+        WeightRange::Unit => "0 <= eps AND eps <= 1",
+        WeightRange::BelowThird => "0 <= eps AND eps < 1/3",
+        WeightRange::BelowHalf => "0 <= eps AND eps < 1/2",
+        WeightRange::UpToHalf => "0 <= eps AND eps <= 1/2",
+        WeightRange::UpToHalfOrOne => "0 <= eps AND (eps <= 1/2 OR (N = 3 AND eps <= 1))",
+        WeightRange::PositiveUpToHalf => "0 < eps AND eps <= 1/2",
+        WeightRange::BelowCritical => "0 < eps AND below_critical?",
     }
-    // Two of them also in ticks and as exactness, 7.5 as an identity, 7.8 with its rate,
-    // mirror and box, and the table of coverage_table.
-    assert_eq!(global.matches(": THEOREM").count(), Theorem::ALL.len() + 2 * 2 + 2 + 2 + 1);
+}
+
+/// The starts of a hypothesis.
+fn starts(set: StartSet) -> &'static str {
+    match set {
+        StartSet::Any => "anchored?(s)",
+        StartSet::Ordered => "anchored?(s) AND ordered?(s)",
+        StartSet::FirstSubsegment => "anchored?(s) AND ordered?(s) AND first_subsegment?(s)",
+        StartSet::UpperBounded => "anchored?(s) AND upper_bounded?(s)",
+    }
+}
+
+#[test]
+fn every_theorem_is_stated_with_its_hypothesis_and_its_erratum() {
+    let text = &exported(&[])[1].0;
+    let unwrapped = text.replace("\n  %  ", "");
+    let stated: Vec<_> = unwrapped.split("  % Sharp: ").collect();
+    // What stands before the first, then each from its sharp form up to the next one's.
+    assert_eq!(stated.len(), 1 + Theorem::ALL.len());
+    for (theorem, pair) in Theorem::ALL.into_iter().zip(stated.windows(2)) {
+        let (number, about) = (theorem.number(), words(theorem));
+        assert!(pair[0].contains(&format!("  % {number} {}.", about.name)), "{number}");
+        if let Some(erratum) = about.erratum {
+            assert!(pair[1].contains(&format!("% Erratum: {erratum}.")), "{number}");
+        }
+        let h = theorem.hypothesis(Form::Sharp);
+        let (weights, starts) = (weights(h.weights), starts(h.starts));
+        let hypothesis = match theorem {
+            Theorem::Limit => format!("{starts} IMPLIES converges?(s)) IFF {weights}\n"),
+            _ => format!("({weights}) AND {starts}\n"),
+        };
+        assert!(pair[1].contains(&hypothesis), "{number}: {hypothesis}");
+    }
+}
+
+/// Every formula has its proof, in the theory and in the proof file, but for conjectures.
+#[test]
+fn every_formula_carries_its_proof() {
+    let mut formulas = 0;
+    for (theories, proofs) in exported(&[]) {
+        let lines: Vec<_> = theories.lines().collect();
+        for line in &lines {
+            let code = line.split('%').next().unwrap();
+            let Some((name, _)) = code.split_once(": LEMMA").or(code.split_once(": THEOREM"))
+            else {
+                continue;
+            };
+            let name = name.trim();
+            assert!(lines.contains(&format!("%|- {name} : PROOF").as_str()), "{name}");
+            assert!(proofs.contains(&format!("\n ({name} 0\n  ({name}-1 nil 0\n")), "{name}");
+            formulas += 1;
+        }
+        let scripts = theories.matches("%|- QED").count();
+        assert_eq!(proofs.matches("-1 nil 0\n").count(), scripts);
+        assert_eq!(proofs.matches('(').count(), proofs.matches(')').count());
+    }
+    assert!(formulas > 70, "{formulas} formulas");
+}
+
+/// What the table of the evidence lists is proved where it says.
+#[test]
+fn the_table_lists_theorems_of_the_export() {
+    let files = exported(&[]);
+    let table = std::fs::read_to_string("proofs/pvs/theorems.tsv").unwrap();
+    let mut listed = Vec::new();
+    for row in table.lines().skip(1) {
+        let columns: Vec<_> = row.split('\t').collect();
+        let [_, _, name, theory, _] = columns[..] else { panic!("{row}") };
+        let inside = files.iter().find_map(|f| {
+            let after =
+                f.0.split_once(&format!("\n{theory}["))
+                    .or(f.0.split_once(&format!("\n{theory}:")))?
+                    .1;
+            after.split_once(&format!("END {theory}\n")).map(|parts| parts.0)
+        });
+        let inside = inside.unwrap_or_else(|| panic!("no theory `{theory}`"));
+        assert!(inside.contains(&format!("\n  {name}: THEOREM")), "{row}");
+        listed.push(name);
+    }
+    let all = files.iter().map(|f| f.0.matches(": THEOREM").count()).sum::<usize>();
+    assert_eq!(listed.len(), all, "every theorem is listed");
 }
 
 #[test]
 fn a_scenario_brings_its_numbers() {
-    let scenario = &exported(&[])[2];
+    let scenario = &exported(&[])[4].0;
     assert!(scenario.contains("IMPORTING coverage_table[5, 3, 0, 100, 1/5]"));
     assert!(scenario.contains("ELSIF i = 3 THEN 30\n    ELSE 100\n    ENDIF"));
     // PROTOCOL section 4, erratum 4: drone 3 is at 42 after the first update with eps = 1/5.
     assert!(scenario.contains("positions(4) = (: 0, 10, 20, 42, 100 :)"));
-    let recorded = &exported(&["--scenario", "scenarios/recorded.toml"])[2];
+    let recorded = &exported(&["--scenario", "scenarios/recorded.toml"])[4].0;
     assert!(recorded.contains("IMPORTING coverage_table[5, 5, 0, 10, 1/4]"));
     assert!(recorded.contains("positions(6) = (: 0, 1, 2, 9/2, 10 :)"));
     let all = stdout_of(&["export", "pvs"]);
-    assert_eq!(all.matches("END coverage").count(), 5);
+    assert_eq!(all.matches("END coverage").count(), 7);
 }
 
 #[test]

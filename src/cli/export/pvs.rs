@@ -10,8 +10,9 @@ use cordon_run::scenario::{self, Scenario};
 /// Arguments of `cordon export pvs`.
 #[derive(clap::Args, Debug)]
 #[command(
-    after_help = "Writes coverage.pvs (Listings 3 and 4, theorems), fmu_coverage.pvs (Listings 5 and 6, \
-projection theorem) and scenario.pvs. Without --out the three follow one another on stdout."
+    after_help = "Writes coverage.pvs (Listings 3 and 4), coverage_theorems.pvs, fmu_coverage.pvs (Listings 5 and 6, \
+projection theorem), consensus.pvs (with formation) and scenario.pvs, each with its proofs (.prf). `proveit` of PVS \
+replays them. Without --out the theories follow one another on stdout."
 )]
 pub struct Args {
     /// Scenario file (TOML) of the coverage protocol [default: the paper's run of Fig. 8]
@@ -31,16 +32,18 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     match &args.out {
         None => {
             for file in &files {
-                out.write_all(file.text.as_bytes())?;
+                out.write_all(file.theories.as_bytes())?;
                 writeln!(out)?;
             }
         }
         Some(folder) => {
             std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
             for file in &files {
-                let path = folder.join(file.name);
-                cordon_core::files::write_atomically(&path, file.text.as_bytes())?;
-                writeln!(out, "{}", path.display())?;
+                for (ending, text) in [("pvs", &file.theories), ("prf", &file.proofs)] {
+                    let path = folder.join(file.name).with_extension(ending);
+                    cordon_core::files::write_atomically(&path, text.as_bytes())?;
+                    writeln!(out, "{}", path.display())?;
+                }
             }
         }
     }

@@ -13,8 +13,8 @@ use cordon_core::{Error, Outcome, Result};
 /// Arguments of `cargo xtask verify`.
 #[derive(clap::Args, Debug)]
 #[command(
-    after_help = "Tiers: simulated, grid, complete, kani, smt, creusot, certificate, rocq, lean. Those that take \
-minutes (kani, creusot, rocq, lean) run with --run only and are otherwise shown by record; a record whose sources have \
+    after_help = "Tiers: simulated, grid, complete, kani, smt, creusot, certificate, rocq, lean, pvs. Those that \
+take minutes (kani, creusot, rocq, lean, pvs) run with --run only and are otherwise shown by record; a record whose sources have \
 changed is stale. Exit code 0: nothing refuted and some tier ran; 1 refuted; 3 nothing ran; 4 rejected."
 )]
 pub struct Args {
@@ -24,7 +24,7 @@ pub struct Args {
     /// Which tiers, separated by commas [default: all]
     #[arg(long, value_name = "TIERS")]
     pub tiers: Option<String>,
-    /// Run these tiers as well: kani, creusot, rocq, lean, or all
+    /// Run these tiers as well: kani, creusot, rocq, lean, pvs, or all
     #[arg(long, value_name = "TIERS")]
     pub run: Option<String>,
     /// Run a tier on all theorems and write what it found into proofs/records.json

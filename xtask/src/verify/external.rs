@@ -54,6 +54,19 @@ const LEAN: Tool = Tool {
     sources: &["lean-mirror"],
 };
 
+/// The exported theories, whose general part is files: what is generated beside it, words about
+/// the theorems and one scenario's numbers, is in no proof but that of the scenario's replay.
+const PVS: Tool = Tool {
+    name: "pvs",
+    kind: Evidence::Mechanised,
+    folder: "proofs/pvs",
+    directory: "proofs/pvs",
+    program: "./check.sh",
+    arguments: &[],
+    version: ["pvs", "--version", ""],
+    sources: &["crates/proof/src/export/pvs/theories", "proofs/pvs"],
+};
+
 /// The spec's own Rust, with its contracts.
 const CREUSOT: Tool = Tool {
     name: "creusot",
@@ -93,6 +106,11 @@ pub fn rocq(context: Context<'_>) -> External {
 /// The Lean mirror.
 pub fn lean(context: Context<'_>) -> External {
     External::new(LEAN, context)
+}
+
+/// The exported PVS theories.
+pub fn pvs(context: Context<'_>) -> External {
+    External::new(PVS, context)
 }
 
 /// The contracts of the spec.

@@ -117,12 +117,23 @@ pub fn tiers(context: Context<'_>) -> Vec<Box<dyn Tier>> {
         Box::new(certificates::Certificates::new(context.root)),
         Box::new(external::rocq(context)),
         Box::new(external::lean(context)),
+        Box::new(external::pvs(context)),
     ]
 }
 
 /// The names of [`tiers`], in their order.
-pub const NAMES: [&str; 9] =
-    ["simulated", "grid", "complete", "kani", "smt", "creusot", "certificate", "rocq", "lean"];
+pub const NAMES: [&str; 10] = [
+    "simulated",
+    "grid",
+    "complete",
+    "kani",
+    "smt",
+    "creusot",
+    "certificate",
+    "rocq",
+    "lean",
+    "pvs",
+];
 
 /// This program, as a tool.
 fn this_program() -> String {

@@ -1,36 +1,42 @@
 //! The protocol as PVS, for the paper's readers.
 //!
 //! PVS is a specification language of its own, so this is a mirror, not an execution: the
-//! definitions are templates beside this file, close to the paper's listings; hypotheses and
-//! comments are generated from the spec's data (`theorems.rs`), and a scenario's theory carries
-//! positions that the spec computed (`scenario.rs`), for PVSio to replay.
+//! theories are files beside this one, close to the paper's listings, with the theorems and
+//! their proofs, which are general. Generated are the words about each theorem (`theorems.rs`),
+//! the proof files (`proofs.rs`), and the theory of one scenario, which carries positions that
+//! the spec computed, for PVSio to replay (`scenario.rs`).
 //!
-//! CI has no PVS. Tried by hand with PVS 8.0 (built from its sources at commit `becb0153` under
-//! SBCL 2.2.9, without its network server) for the default scenario: all files type-check, PVS
-//! proves every TCC by itself, and PVSio answers TRUE to `replays;`. The theorems are statements
-//! there; their proofs are elsewhere in this repository. PVS 7 was not tried.
+//! CI has no PVS. What was replayed, and how, is said in `proofs/pvs`.
 
+mod proofs;
 mod scenario;
 mod theorems;
 
 pub use scenario::Instance;
 
-/// A file of the export.
+/// A file of the export, with the proofs of its formulas.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct File {
-    /// The name of the file, `coverage.pvs` and so on.
+    /// Its name without ending: `coverage` of `coverage.pvs` and `coverage.prf`.
     pub name: &'static str,
-    /// The theory that it holds.
-    pub text: String,
+    /// The theories that it holds.
+    pub theories: String,
+    /// The text of the proof file.
+    pub proofs: String,
 }
 
-/// The global theory (with theorems) and the local theory, both general, and the theory of one
-/// scenario.
+/// The general theories, of the global protocol, the local one, consensus and formation, and
+/// the theory of one scenario.
 pub fn files(instance: &Instance) -> Vec<File> {
-    let global = format!("{}{}", include_str!("coverage.pvs"), theorems::theory());
-    vec![
-        File { name: "coverage.pvs", text: global },
-        File { name: "fmu_coverage.pvs", text: include_str!("fmu_coverage.pvs").to_owned() },
-        File { name: "scenario.pvs", text: instance.theory() },
-    ]
+    let theorems = theorems::with_words(include_str!("theories/coverage_theorems.pvs"));
+    let files = [
+        ("coverage", include_str!("theories/coverage.pvs").to_owned()),
+        ("coverage_theorems", theorems),
+        ("fmu_coverage", include_str!("theories/fmu_coverage.pvs").to_owned()),
+        ("consensus", include_str!("theories/consensus.pvs").to_owned()),
+        ("scenario", instance.theory()),
+    ];
+    let with_proofs =
+        |(name, theories): (_, String)| File { name, proofs: proofs::proofs(&theories), theories };
+    files.into_iter().map(with_proofs).collect()
 }

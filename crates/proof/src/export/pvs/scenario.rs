@@ -72,7 +72,7 @@ impl Instance {
         );
         let rows: Vec<_> = self.ticks().iter().map(|&k| self.row(k)).collect();
         text.push_str(&rows.join(" AND\n"));
-        text.push_str("\n\n  replay: THEOREM replays\n\nEND coverage_scenario\n");
+        text.push_str("\n\n  replay: CONJECTURE replays\n\nEND coverage_scenario\n");
         text
     }
 

@@ -263,15 +263,15 @@ fn verdicts_say_what_was_shown() {
         (page("quadratic-growth"), vec!["from x = 2, v = 1: these do not all tend to 0: x, v".into()]),
         (
             page("ellipsoid-switching"),
-            vec!["every run, whatever mode acts at each time, at every time: 3/2 - x >= 0 and 2 + v > 0".into()],
+            vec!["every run, whatever mode acts at each time, at every time: 3/2 >= x and 2 + v > 0".into()],
         ),
         (
             page("ellipsoid-schedule"),
-            vec![format!("{} slow -drive for 1/4-> fast, fast -brake for 1-> slow, at every time: 13/8 - x > 0", "the runs that start at slow, along")],
+            vec![format!("{} slow -drive for 1/4-> fast, fast -brake for 1-> slow, at every time: 13/8 > x", "the runs that start at slow, along")],
         ),
         (
             page("ellipsoid-passage"),
-            vec!["the runs that start at a, along a -brake for 1-> b, at every time: 5/4 - x > 0 and 3 + x >= 0".into()],
+            vec!["the runs that start at a, along a -brake for 1-> b, at every time: 5/4 > x and 3 + x >= 0".into()],
         ),
     ];
     for (page, expected) in cases {

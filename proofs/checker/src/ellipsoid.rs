@@ -84,14 +84,16 @@ pub fn ellipsoid(c: &Ellipsoid) -> Result<(String, usize)> {
     let system = System::read(&c.system)?;
     let names = &c.system.state;
     let size = names.len();
-    need!(size <= MAX_VARIABLES, RULE, "{size} variables: expected at most {MAX_VARIABLES}");
+    need(size <= MAX_VARIABLES, RULE, || {
+        format!("{size} variables: expected at most {MAX_VARIABLES}")
+    })?;
     let mut proved = 0;
     let mut nodes = BTreeMap::new();
     for (name, node) in &c.nodes.0 {
         let matrix = symmetric(RULE, &node.matrix, size)?;
         let fits = node.centre.len() == size && definite(matrix.clone(), true);
         let what = "a centre and a positive definite matrix are expected";
-        need!(fits, RULE, "node `{name:.40}`: {what}");
+        need(fits, RULE, || format!("node `{name:.40}`: {what}"))?;
         nodes.insert(name.as_str(), Node { centre: node.centre.clone(), matrix });
     }
     let node = |name: &str| match nodes.get(name) {
@@ -99,14 +101,14 @@ pub fn ellipsoid(c: &Ellipsoid) -> Result<(String, usize)> {
         None => fault(RULE, format!("no node `{name:.40}`")),
     };
     let empty = c.start.is_empty() || c.points.is_empty() || c.claims.is_empty();
-    need!(!empty, RULE, "nodes and points of the start, and claims, are expected");
+    need(!empty, RULE, || "nodes and points of the start, and claims, are expected")?;
     for name in &c.start {
         let start = node(name)?;
         for (i, point) in c.points.iter().enumerate() {
             let away = point.iter().zip(&start.centre).map(|(p, q)| p.clone() - q).collect();
             let there = bordered(start.matrix.clone(), away, Number::whole(1));
             let inside = point.len() == size && definite(there, false);
-            need!(inside, RULE, "point {i} of the start is not in `{name:.40}`");
+            need(inside, RULE, || format!("point {i} of the start is not in `{name:.40}`"))?;
         }
     }
     for edge in &c.edges {
@@ -141,7 +143,9 @@ pub fn ellipsoid(c: &Ellipsoid) -> Result<(String, usize)> {
                 let minus = bordered(all, (0..size).map(column).collect(), edge.decay.clone());
                 let what = "a run may leave the ellipsoid";
                 let kept = definite(minus, false);
-                need!(kept, RULE, "edge {}: vertex {vertex}, end {end}: {what}", path(edge));
+                need(kept, RULE, || {
+                    format!("edge {}: vertex {vertex}, end {end}: {what}", path(edge))
+                })?;
                 proved += 1;
             }
         }
@@ -149,17 +153,19 @@ pub fn ellipsoid(c: &Ellipsoid) -> Result<(String, usize)> {
     for text in &c.claims {
         let literal = system.literal(text)?;
         let equation = literal.relation == Zero;
-        need!(!equation, RULE, "`{text:.60}`: an ellipsoid shows no equation");
+        need(!equation, RULE, || format!("`{text:.60}`: an ellipsoid shows no equation"))?;
         let form = parts(&literal.poly, names);
         let at: BTreeMap<&str, [Number; 2]> =
             nodes.iter().map(|(name, node)| (*name, margins(&form, node))).collect();
         for (name, margins) in &at {
             let within = margins.iter().all(|m| reached(m, &literal));
-            need!(within, RULE, "the ellipsoid `{name:.40}` is not within `{text:.60}`");
+            need(within, RULE, || {
+                format!("the ellipsoid `{name:.40}` is not within `{text:.60}`")
+            })?;
         }
         for edge in c.edges.iter().filter(|e| e.time.is_some()) {
             let holds = between(&literal, &at[edge.from.as_str()], &at[edge.to.as_str()]);
-            need!(holds, RULE, "`{text:.60}` may fail along {}", path(edge));
+            need(holds, RULE, || format!("`{text:.60}` may fail along {}", path(edge)))?;
         }
         proved += 1;
     }

@@ -83,6 +83,10 @@ KINDS = {
         "system": LINEAR, "readouts": ["text"], "maps": {"*": ["text"]}, "matrix?": [NUMBERS], "matrices?": {"*": [NUMBERS]},
         "rate?": "number", "start?": NUMBERS,
     },
+    "ellipsoid": {
+        "system": LINEAR, "nodes": {"*": {"centre": NUMBERS, "matrix": [NUMBERS]}}, "start": ["text"], "points": [NUMBERS],
+        "edges": [{"from": "text", "by": "text", "to": "text", "decay": "number", "time?": "number"}], "claims": ["text"],
+    },
 }
 
 
@@ -837,6 +841,68 @@ def quadratic(c):
                 moved = times(times(list(zip(*a)), target), a)
                 left = [[rate * rate * p - q if rate is not None else q - p for p, q in zip(ps, qs)] for ps, qs in zip(form, moved)]
                 need(definite(left, False), "the form")
+
+
+# ---- Ellipsoids (x-c)' Q^-1 (x-c) <= 1 that runs in continuous time do not leave.
+def ellipsoid(c):
+    def need(ok, why):
+        if not ok:
+            raise Invalid("ellipsoid", why)
+    system, state, nodes = Linear(c["system"]), c["system"]["state"], {}
+    size = len(state)
+    need(size <= 200, "variables")
+    for name, node in c["nodes"].items():
+        low = node["matrix"]
+        need([len(r) for r in low] == list(range(1, size + 1)) and len(node["centre"]) == size, "shapes")
+        q = [[low[max(i, j)][min(i, j)] for j in range(size)] for i in range(size)]
+        need(definite(q, True), "not positive definite")
+        nodes[name] = node["centre"], q
+    names = [*c["start"], *(e[k] for e in c["edges"] for k in ("from", "to"))]
+    need(c["start"] and c["points"] and c["claims"] and all(n in nodes for n in names), "start, points, claims, nodes")
+
+    def bordered(m, column, corner):
+        return [[*row, x] for row, x in zip(m, column)] + [[*column, corner]]
+    for name in c["start"]:
+        centre, q = nodes[name]
+        for point in c["points"]:
+            need(len(point) == size and definite(bordered(q, [a - b for a, b in zip(point, centre)], Fraction(1)), False), "a point of the start")
+
+    def parts(p):
+        return p.get((), Fraction(0)), [p.get((("var", n),), Fraction(0)) for n in state]
+
+    def dot(a, b):
+        charge(256 * sum(1 for x in a if x))
+        return sum((x * y for x, y in zip(a, b) if x), Fraction(0))
+    for e in c["edges"]:
+        need(e["time"] > 0 if "time" in e else e["from"] == e["to"], "time")
+        (c0, q0), (c1, q1) = nodes[e["from"]], nodes[e["to"]]
+        rate, rows = 1 / e["time"] if "time" in e else Fraction(0), system.rows(e["by"])
+        for forms in system.vertices([rows.get(n, {}) for n in state]):
+            b, a = zip(*map(parts, forms))
+            for centre, q in [(c0, q0), (c1, q1)][:2 if "time" in e else 1]:
+                aq = [[dot(a[i], q[j]) for j in range(size)] for i in range(size)]
+                left = [[rate * (q1[i][j] - q0[i][j]) - aq[i][j] - aq[j][i] - e["decay"] * q[i][j] for j in range(size)] for i in range(size)]
+                column = [rate * (c1[i] - c0[i]) - b[i] - dot(a[i], centre) for i in range(size)]
+                need(definite(bordered(left, column, e["decay"]), False), "a run may leave")
+    for text in c["claims"]:
+        p, relation = system.literal(text)
+        need(relation != ZERO, "an equation")
+        constant, row = parts(p)
+
+        def reached(x):
+            return x > 0 or x == 0 and relation != POSITIVE
+        at = {}
+        for name, (centre, q) in nodes.items():
+            g = constant + dot(row, centre)
+            at[name] = g, g * g - dot(row, [dot(line, row) for line in q])
+            need(all(map(reached, at[name])), "a claim at a node")
+        for e in c["edges"]:
+            if "time" in e:
+                (g0, f0), (g1, f1) = at[e["from"]], at[e["to"]]
+                # f0 + b s + a s^2 for s in [0, 1], at its lowest.
+                a = (g1 - g0) ** 2
+                b = f1 - f0 - a
+                need(not -2 * a < b < 0 or reached(f0 - b * b / (4 * a)), "a claim on the way")
 
 
 # ---- One run, and the conclusions of the theorems in their finite forms: None, or what is violated and where.

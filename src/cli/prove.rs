@@ -55,6 +55,9 @@ pub enum FormChoice {
 
 /// Searches certificates, has each one checked, and writes them.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    if let Some(flow) = args.own.flow()? {
+        return own_protocol::prove_flow(&args.own, &flow, args.out.as_deref(), args.format, out);
+    }
     let own = args.own.system()?;
     if let Some(folder) = &args.out {
         std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;

@@ -175,6 +175,7 @@ fn certificates_meet_their_schema() {
     let expected = [
         "contraction",
         "counterexample",
+        "ellipsoid",
         "growth",
         "invariance",
         "quadratic",

@@ -11,6 +11,7 @@ mod cosim_runs;
 mod exact_numbers;
 mod export_smt2;
 mod fast;
+mod flow;
 mod impulse_response;
 mod own_protocol;
 mod own_random;

@@ -5,6 +5,7 @@ pub mod certificate;
 pub mod claims;
 pub mod counterexample;
 pub mod export;
+pub mod flow;
 pub mod prove;
 pub mod refute;
 pub mod separation;

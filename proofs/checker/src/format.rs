@@ -485,6 +485,42 @@ objects! {
         #[serde(default, deserialize_with = "present")]
         start: Option<Vec<Number>>,
     }
+    /// Ellipsoids that runs in continuous time do not leave.
+    Ellipsoid {
+        /// What runs: rows are derivatives.
+        system: Linear,
+        /// The ellipsoids.
+        nodes: Named<Node>,
+        /// The nodes in which runs start, of each of them whichever.
+        start: Vec<String>,
+        /// Points of all of those: runs start between them.
+        points: Vec<Vec<Number>>,
+        /// Along what runs stay inside.
+        edges: Vec<Passage>,
+        /// Literals that hold in all ellipsoids.
+        claims: Vec<String>,
+    }
+    /// The set (x - c)' Q^-1 (x - c) <= 1.
+    Node {
+        /// c.
+        centre: Vec<Number>,
+        /// Q, as a lower triangle.
+        matrix: Vec<Vec<Number>>,
+    }
+    /// From an ellipsoid to another while a mode acts.
+    Passage {
+        /// The ellipsoid before.
+        from: String,
+        /// The mode.
+        by: String,
+        /// The ellipsoid after.
+        to: String,
+        /// How fast a run goes inwards at least.
+        decay: Number,
+        /// How long it takes; any time where the ellipsoid stays.
+        #[serde(default, deserialize_with = "present")]
+        time: Option<Number>,
+    }
 }
 
 /// The kinds.
@@ -505,6 +541,8 @@ pub enum Kind {
     Invariance(Box<Invariance>),
     /// By a quadratic form.
     Quadratic(Box<Quadratic>),
+    /// By ellipsoids.
+    Ellipsoid(Box<Ellipsoid>),
 }
 
 /// A proof: a rule with what it reads.

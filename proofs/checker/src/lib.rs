@@ -6,6 +6,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod ellipsoid;
 pub mod expr;
 pub mod fault;
 pub mod format;
@@ -110,6 +111,7 @@ pub fn check_of(text: &str, step: Step) -> Verdict {
         Kind::Counterexample(c) => ("counterexample", refutation::counterexample(c).map(once)),
         Kind::Invariance(c) => ("invariance", invariance::invariance(c)),
         Kind::Quadratic(c) => ("quadratic", quadratic::quadratic(c)),
+        Kind::Ellipsoid(c) => ("ellipsoid", ellipsoid::ellipsoid(c)),
     };
     // Without work left numbers are not what they should be: neither is what was said of them.
     let result =

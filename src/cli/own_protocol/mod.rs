@@ -1,5 +1,6 @@
 //! `--protocol FILE` of the commands that decide: a user's own protocol.
 
+mod flow;
 mod prove;
 mod refute;
 mod settle;
@@ -10,6 +11,7 @@ mod threshold;
 
 use std::path::{Path, PathBuf};
 
+pub use flow::prove as prove_flow;
 pub use prove::prove;
 pub use refute::{Search, refute};
 pub use settle::settle;
@@ -19,7 +21,7 @@ pub use threshold::threshold;
 
 use super::table::abridged;
 use cordon_core::exact::shortened;
-use cordon_core::system::{Parameter, ParameterKind, System};
+use cordon_core::system::{Flow, Parameter, ParameterKind, System};
 use cordon_core::text::shell_word;
 use cordon_core::{Error, Rational, Result, range};
 use cordon_proof::claims;
@@ -65,6 +67,21 @@ impl ProtocolArgs {
             )));
         }
         Ok(Some((file, system)))
+    }
+
+    /// The system in continuous time, where a file of one is named.
+    ///
+    /// # Errors
+    /// As for [`system`](Self::system).
+    pub fn flow(&self) -> Result<Option<Flow>> {
+        let Some(path) = &self.protocol else { return Ok(None) };
+        let file = read(path)?;
+        if !file.is_continuous {
+            return Ok(None);
+        }
+        let mut flow = file.flow(self.agents.unwrap_or(file.agents.fewest()))?;
+        self.narrow(&mut flow.system.parameters)?;
+        Ok(Some(flow))
     }
 
     /// The system of a file with so many agents.

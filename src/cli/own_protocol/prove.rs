@@ -276,7 +276,7 @@ fn stem(args: &ProtocolArgs) -> String {
     args.path().file_stem().map_or_else(|| "own".into(), |s| s.to_string_lossy().into_owned())
 }
 
-fn written(
+pub(super) fn written(
     args: &ProtocolArgs,
     folder: Option<&Path>,
     what: &str,

@@ -27,8 +27,13 @@ pub fn head(system: &System) -> BTreeMap<&'static str, Value> {
     ])
 }
 
-/// The system in a line.
+/// The system in a line; `anew` says how often what varies does so.
 pub fn headline(system: &System) -> String {
+    headline_in(system, "in each step")
+}
+
+/// As [`headline`], with other words for when what varies does so.
+pub fn headline_in(system: &System, anew: &str) -> String {
     let agents = if system.agents == 1 { "agent" } else { "agents" };
     let mut parts = vec![format!("{}: {} {agents}", system.title, system.agents)];
     let is_choice = |p: &&Parameter| p.kind == ParameterKind::Choice;
@@ -37,7 +42,7 @@ pub fn headline(system: &System) -> String {
             (Some(value), _) => format!("{} = {}", p.name, fraction(value)),
             (None, ParameterKind::Varying) => {
                 format!(
-                    "{} anywhere in [{}, {}], anew in each step",
+                    "{} anywhere in [{}, {}], anew {anew}",
                     p.name,
                     fraction(&p.low),
                     fraction(&p.high)
@@ -50,11 +55,11 @@ pub fn headline(system: &System) -> String {
     }
     match system.parameters.iter().filter(is_choice).count() {
         0 => {}
-        n => parts.push(format!("{n} free choice{} in each step", if n == 1 { "" } else { "s" })),
+        n => parts.push(format!("{n} free choice{} {anew}", if n == 1 { "" } else { "s" })),
     }
     match (&system.schedule, system.modes.len()) {
         (_, 1) => {}
-        (Schedule::Any, n) => parts.push(format!("any of {n} modes in each step")),
+        (Schedule::Any, n) => parts.push(format!("any of {n} modes {anew}")),
         (Schedule::Cycle(list), _) => {
             let names = list.iter().filter_map(|&m| system.modes.get(m)).map(|m| m.name.as_str());
             let names: Vec<&str> = names.collect();

@@ -34,9 +34,11 @@ pub(super) fn text(report: &Report<'_>, out: &mut dyn Write) -> Result<()> {
             short(gap),
             report.evidence
         )?,
-        Some(gap) => {
-            writeln!(out, "not certified: the gaps are known to be at least {} m only", short(gap))?
-        }
+        Some(gap) => writeln!(
+            out,
+            "not certified: no bound of the gaps is shown (what follows, {} m, is none)",
+            short(gap)
+        )?,
         None => writeln!(out, "not certified: no bound of the gaps is known")?,
     }
     let gap = &report.smallest;

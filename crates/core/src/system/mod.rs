@@ -8,10 +8,12 @@
 //! coefficients are read off by executing the step once, on polynomials ([`Mode::executed`]).
 
 pub mod expression;
+mod flow;
 mod map;
 mod mode;
 mod protocol;
 
+pub use flow::{Flow, Switching};
 pub use map::Map;
 pub use mode::Mode;
 pub use protocol::{Consensus, Coverage, Protocol};

@@ -1,4 +1,5 @@
-//! Certificates about a linear system: what the kinds `invariance`, `quadratic` and `counterexample` hold.
+//! Certificates about a linear system: what the kinds `invariance`, `quadratic`, `counterexample` and `ellipsoid`
+//! hold.
 //!
 //! Forms are text in the checker's own syntax: sums and products of numbers (`3/4`), names and brackets.
 //! Nothing is computed here: that the multipliers fit, the checker says.
@@ -136,6 +137,58 @@ impl Counterexample {
     /// The certificate.
     pub fn certificate(&self) -> Value {
         sealed("counterexample", json!(self))
+    }
+}
+
+/// Ellipsoids that the runs of a system in continuous time do not leave: its rows are derivatives.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Ellipsoid {
+    /// What runs.
+    pub system: LinearSystem,
+    /// The ellipsoids.
+    pub nodes: BTreeMap<String, EllipsoidNode>,
+    /// Those in which runs start.
+    pub start: Vec<String>,
+    /// Points of the latter: runs start between them.
+    pub points: Vec<Vec<String>>,
+    /// Along what runs stay inside.
+    pub edges: Vec<Passage>,
+    /// Literals that hold in all ellipsoids and on the way between them: one at least, no equation.
+    pub claims: Vec<String>,
+}
+
+/// The set (x - c)' Q^-1 (x - c) <= 1.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct EllipsoidNode {
+    /// c.
+    pub centre: Vec<String>,
+    /// Q, positive definite, as a lower triangle.
+    pub matrix: Vec<Vec<String>>,
+}
+
+/// From an ellipsoid to another while a mode acts, both moving straight.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Passage {
+    /// The ellipsoid before.
+    pub from: String,
+    /// The mode.
+    pub by: String,
+    /// The ellipsoid after.
+    pub to: String,
+    /// V' <= decay (1 - V), V being the form that is at most 1 inside.
+    pub decay: String,
+    /// How long it takes; none where the ellipsoid stays, for any time.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time: Option<String>,
+}
+
+impl Ellipsoid {
+    /// The certificate.
+    pub fn certificate(&self) -> Value {
+        sealed("ellipsoid", json!(self))
     }
 }
 

@@ -4,7 +4,7 @@ pub mod automaton;
 mod bounds;
 pub mod certificate;
 pub mod converge;
-mod doubles;
+pub(crate) mod doubles;
 pub mod readouts;
 mod refute;
 pub mod search;

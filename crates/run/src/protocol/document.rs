@@ -10,8 +10,10 @@ use toml::{Spanned, Value};
 use super::claims::Claims;
 use super::links::{Links, Topology};
 use crate::scenario::file::Source;
-use cordon_core::system::{Convergence, MOST_VARIABLES, Parameter, ParameterKind, Variable};
-use cordon_core::{Error, Result, range};
+use cordon_core::system::{
+    Convergence, MOST_VARIABLES, Parameter, ParameterKind, Switching, Variable,
+};
+use cordon_core::{Error, Rational, Result, range};
 
 /// The keys of a protocol file.
 #[derive(Clone, Debug, Deserialize)]
@@ -19,6 +21,7 @@ use cordon_core::{Error, Result, range};
 pub(super) struct Document {
     pub format: Option<Spanned<String>>,
     pub title: Option<String>,
+    pub time: Option<Spanned<String>>,
     pub agents: Option<Spanned<Value>>,
     pub state: Option<Spanned<Value>>,
     pub topology: Option<Spanned<Value>>,
@@ -28,6 +31,8 @@ pub(super) struct Document {
     pub converges: Option<Spanned<String>>,
     pub target: Option<Spanned<Value>>,
     pub switching: Option<Spanned<Vec<Spanned<String>>>>,
+    pub every: Option<Spanned<Value>>,
+    pub dwell: Option<Spanned<Value>>,
     #[serde(default)]
     pub parameters: BTreeMap<Spanned<String>, Spanned<Value>>,
     pub rules: Option<Spanned<RuleTable>>,
@@ -125,6 +130,64 @@ impl Document {
                 Err(source.error(&format.span(), &message))
             }
             _ => Ok(()),
+        }
+    }
+
+    /// Whether rules are derivatives. What is about steps does not go with that, nor the other way round.
+    pub fn is_continuous(&self, source: &Source<'_>) -> Result<bool> {
+        let refuse = |place: Range<usize>, message: &str| Err(source.error(&place, message));
+        let continuous = match self.time.as_ref().map(|t| (t.get_ref().as_str(), t.span())) {
+            None | Some(("steps", _)) => false,
+            Some(("continuous", _)) => true,
+            Some((other, place)) => {
+                let message = format!("time: `{other}`: expected `steps` or `continuous`");
+                return refuse(place, &message);
+            }
+        };
+        let departures = &self.departures;
+        if continuous {
+            if let Some(loss) = &departures.loss {
+                return refuse(loss.span(), "departures.loss: expected none in continuous time");
+            }
+            if let Some(delay) = &departures.delay {
+                return refuse(delay.span(), "departures.delay: expected none in continuous time");
+            }
+            if departures.skip {
+                let message = "departures.skip: expected none in continuous time";
+                return Err(Error::input(format!("{}: {message}", source.name)));
+            }
+        } else if let Some(key) = self.every.as_ref().or(self.dwell.as_ref()) {
+            return refuse(
+                key.span(),
+                "expected `time = \"continuous\"` with a time between switches",
+            );
+        }
+        Ok(continuous)
+    }
+
+    /// In continuous time, when modes change.
+    pub fn flow_switching(&self, source: &Source<'_>) -> Result<Switching> {
+        let time = |field: &str, value: &Spanned<Value>| {
+            let time = source.number(field, value)?;
+            if time > Rational::default() {
+                return Ok(time);
+            }
+            let message = format!("{field}: `{time}`: expected a time above 0");
+            Err(source.error(&value.span(), &message))
+        };
+        match (&self.every, &self.dwell, &self.switching) {
+            (None, None, None) => Ok(Switching::Any),
+            (None, Some(dwell), None) => time("dwell", dwell).map(Switching::Dwell),
+            (Some(every), None, Some(_)) => time("every", every).map(Switching::Every),
+            (Some(every), None, None) => {
+                Err(source
+                    .error(&every.span(), "every: expected `switching` too: the modes in turn"))
+            }
+            (None, _, Some(list)) => Err(source
+                .error(&list.span(), "switching: expected `every` too: how long each mode acts")),
+            (Some(every), Some(_), _) => {
+                Err(source.error(&every.span(), "every: expected `every` or `dwell`"))
+            }
         }
     }
 

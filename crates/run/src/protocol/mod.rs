@@ -12,7 +12,9 @@ mod rules;
 use std::path::Path;
 
 use cordon_core::files::{self, Limit};
-use cordon_core::system::{Convergence, MOST_VARIABLES, Parameter, Schedule, System, Variable};
+use cordon_core::system::{
+    Convergence, Flow, MOST_VARIABLES, Parameter, Schedule, System, Variable,
+};
 use cordon_core::{Error, Result};
 
 use crate::scenario::document::document;
@@ -20,6 +22,7 @@ use crate::scenario::file::Source;
 pub use classes::Family;
 pub use document::Agents;
 use document::{Document, with_present_keys};
+use rules::Unnamed;
 
 /// A protocol file, read and checked as far as that does not depend on the number of agents.
 #[derive(Clone, Debug)]
@@ -29,6 +32,8 @@ pub struct ProtocolFile {
     document: Document,
     /// How many agents it speaks of.
     pub agents: Agents,
+    /// Whether it is of continuous time.
+    pub is_continuous: bool,
 }
 
 /// Reads a protocol file.
@@ -49,7 +54,9 @@ pub fn parse(name: &str, text: &str) -> Result<ProtocolFile> {
     let (document, _): (Document, _) = document(&source).map_err(with_present_keys)?;
     document.refuse_other_formats(&source)?;
     let agents = document.agents(&source)?;
-    Ok(ProtocolFile { name: name.to_owned(), text: text.to_owned(), document, agents })
+    let is_continuous = document.is_continuous(&source)?;
+    let (name, text) = (name.to_owned(), text.to_owned());
+    Ok(ProtocolFile { name, text, document, agents, is_continuous })
 }
 
 impl ProtocolFile {
@@ -64,8 +71,42 @@ impl ProtocolFile {
     /// The system with `count` agents.
     ///
     /// # Errors
-    /// As for [`system`](Self::system); or the file does not allow that number.
+    /// As for [`system`](Self::system); or the file does not allow that number, or is of continuous time.
     pub fn with_agents(&self, count: usize) -> Result<System> {
+        if self.is_continuous {
+            return Err(Error::input(format!(
+                "{}: time: `continuous`: expected a protocol that acts in steps; `cordon prove` judges those in \
+                 continuous time",
+                self.name
+            )));
+        }
+        self.built(count)
+    }
+
+    /// The system in continuous time with `count` agents: rules are derivatives.
+    ///
+    /// # Errors
+    /// As for [`with_agents`](Self::with_agents); or the file is of steps, or claims what is about steps.
+    pub fn flow(&self, count: usize) -> Result<Flow> {
+        let source = Source { name: &self.name, text: &self.text };
+        if !self.is_continuous {
+            return Err(Error::input(format!("{}: expected `time = \"continuous\"`", self.name)));
+        }
+        if let Some(to) = &self.document.converges {
+            return Err(source.error(&to.span(), "converges: expected `claims` in continuous time"));
+        }
+        let switching = self.document.flow_switching(&source)?;
+        let system = self.built(count)?;
+        if let Some(claim) = system.claims.iter().find(|c| c.from > 0 || c.until.is_some()) {
+            return Err(Error::input(format!(
+                "{}: claims: `{}`: expected no `from` and no `until` in continuous time",
+                self.name, claim.predicate.text
+            )));
+        }
+        Ok(Flow { system, switching })
+    }
+
+    fn built(&self, count: usize) -> Result<System> {
         let source = Source { name: &self.name, text: &self.text };
         let doc = &self.document;
         if !self.agents.allow(count) {
@@ -75,7 +116,8 @@ impl ProtocolFile {
         let variables = doc.variables(&source)?;
         let links = doc.links(&source, count)?;
         let constants = doc.parameters(&source, &variables)?;
-        let rules = rules::Rules::new(&source, doc, count, &variables, constants, links)?;
+        let unnamed = if self.is_continuous { Unnamed::Zero } else { Unnamed::Kept };
+        let rules = rules::Rules::new(&source, doc, count, &variables, constants, links, unnamed)?;
         let built = rules.build()?;
         if built.state.len() > MOST_VARIABLES {
             let message = format!(

@@ -29,6 +29,15 @@ struct Rule {
     next: Vec<Expression>,
 }
 
+/// What a rule says of the variables that it does not name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Unnamed {
+    /// Their next values are those that they have.
+    Kept,
+    /// Their derivatives are 0.
+    Zero,
+}
+
 /// The rules of a file, for one number of agents.
 pub(super) struct Rules<'s> {
     source: &'s Source<'s>,
@@ -42,6 +51,7 @@ pub(super) struct Rules<'s> {
     skip: bool,
     loss: Option<Loss>,
     delay: usize,
+    unnamed: Unnamed,
 }
 
 /// What the rules come to.
@@ -62,6 +72,7 @@ impl<'s> Rules<'s> {
         variables: &'s [Variable],
         constants: Vec<Parameter>,
         links: Links,
+        unnamed: Unnamed,
     ) -> Result<Self> {
         let mut rules = Self {
             source,
@@ -74,6 +85,7 @@ impl<'s> Rules<'s> {
             skip: doc.departures.skip,
             loss: doc.loss(source)?,
             delay: doc.delay(source)?,
+            unnamed,
         };
         let base = doc.rules.as_ref().map(Spanned::get_ref);
         let empty = RuleTable::new();
@@ -185,9 +197,11 @@ impl<'s> Rules<'s> {
                 }
                 let own = |v: &Variable| match table.get(&v.name) {
                     Some(written) => parse(&format!("{field}.{}", v.name), written),
-                    // What a rule does not name stays.
-                    None => Expression::parse(&v.name)
-                        .map_err(|e| syntax(self.source, field, &place, &e)),
+                    None => Expression::parse(match self.unnamed {
+                        Unnamed::Kept => &v.name,
+                        Unnamed::Zero => "0",
+                    })
+                    .map_err(|e| syntax(self.source, field, &place, &e)),
                 };
                 self.variables.iter().map(own).collect::<Result<_>>()?
             }

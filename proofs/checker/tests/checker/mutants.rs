@@ -4,7 +4,7 @@
 //! A mutant is recognised as a proof without the checker's help:
 //! * a sum in a proof by the kernel is an identity between polynomials, so that no change of a number in
 //!   it leaves a proof;
-//! * contraction, growth, invariance and quadratic are decided by formulas written out here, the latter two on
+//! * contraction, growth, invariance, quadratic and ellipsoid are decided by formulas written out here, the last three on
 //!   forms whose coefficients are read off their values;
 //! * a refutation is decided by running the protocol, written out here, and asking the
 //!   theorem's predicates.
@@ -20,8 +20,8 @@ use num_traits::{One, Signed, Zero};
 use serde_json::{Value, json};
 
 /// Mutants that are no proofs, and mutants that are.
-const REJECTED: usize = 644;
-const PROOFS: usize = 107;
+const REJECTED: usize = 749;
+const PROOFS: usize = 138;
 
 /// Mutants of sums.
 const SUMS: usize = 323;
@@ -126,6 +126,7 @@ fn is_proof(page: &Value) -> bool {
         "counterexample" => counterexample(body),
         "invariance" => invariance(body),
         "quadratic" => quadratic(body),
+        "ellipsoid" => ellipsoid(body),
         _ => false,
     }
 }
@@ -405,6 +406,131 @@ fn counterexample(body: &Value) -> bool {
         }
     }
     sound && !holds(&body["claim"], &state)
+}
+
+/// Determinant by the first row.
+fn determinant(m: &[Vec<Rational>]) -> Rational {
+    let Some((first, rest)) = m.split_first() else { return Rational::one() };
+    let minor = |j: usize| {
+        let row = |r: &Vec<Rational>| {
+            r.iter().enumerate().filter(|(k, _)| *k != j).map(|(_, x)| x.clone()).collect()
+        };
+        determinant(&rest.iter().map(row).collect::<Vec<_>>())
+    };
+    first.iter().enumerate().fold(Rational::zero(), |sum, (j, x)| {
+        if j % 2 == 0 { sum + x * minor(j) } else { sum - x * minor(j) }
+    })
+}
+
+/// Whether all principal minors are >= 0.
+fn semidefinite(m: &[Vec<Rational>]) -> bool {
+    (1..1usize << m.len()).all(|set| {
+        let chosen: Vec<usize> = (0..m.len()).filter(|i| set >> i & 1 == 1).collect();
+        let row = |i: &usize| chosen.iter().map(|j| m[*i][*j].clone()).collect();
+        !determinant(&chosen.iter().map(row).collect::<Vec<_>>()).is_negative()
+    })
+}
+
+/// The inequality at each end of the one parameter and of each edge; claims at the centre and, with a root in
+/// rationals, on the way: of a quadratic the lowest value.
+fn ellipsoid(body: &Value) -> bool {
+    let system = &body["system"];
+    let names = words(&system["state"]);
+    let n = names.len();
+    let node = |name: &str| -> (Vec<Rational>, Vec<Vec<Rational>>) {
+        let low = &body["nodes"][name]["matrix"];
+        let row = |i: usize| (0..n).map(|j| q(&low[i.max(j)][i.min(j)])).collect();
+        (qs(&body["nodes"][name]["centre"]), (0..n).map(row).collect())
+    };
+    let bordered = |m: Vec<Vec<Rational>>, column: Vec<Rational>, corner: Rational| {
+        let mut all: Vec<Vec<Rational>> = m
+            .into_iter()
+            .zip(&column)
+            .map(|(r, x)| r.into_iter().chain([x.clone()]).collect())
+            .collect();
+        all.push(column.into_iter().chain([corner]).collect());
+        all
+    };
+    let positive = body["nodes"].as_object().unwrap().keys().all(|name| {
+        let (_, m) = node(name);
+        semidefinite(&m) && determinant(&m).is_positive()
+    });
+    let started = words(&body["start"]).iter().all(|name| {
+        let (c, m) = node(name);
+        body["points"].as_array().unwrap().iter().all(|p| {
+            let away = qs(p).iter().zip(&c).map(|(p, c)| p - c).collect();
+            semidefinite(&bordered(m.clone(), away, Rational::one()))
+        })
+    });
+    let edges = body["edges"].as_array().unwrap();
+    let kept = edges.iter().all(|e| {
+        let [from, to, by] = ["from", "to", "by"].map(|f| e[f].as_str().unwrap());
+        let time = e.get("time").map(q);
+        if time.as_ref().is_some_and(|t| !t.is_positive()) {
+            return false;
+        }
+        let rate = time.as_ref().map_or(Rational::zero(), |t| Rational::one() / t);
+        let ([(c0, q0), (c1, q1)], decay) = ([node(from), node(to)], q(&e["decay"]));
+        // What a mode makes of each variable, at each end; a variable that it does not name stands.
+        let mut stands = system.clone();
+        for name in &names {
+            let rows = stands["modes"][by].as_object_mut().unwrap();
+            rows.entry(name.clone()).or_insert(json!("0"));
+        }
+        let int = |n: usize| Rational::from_integer(n.into());
+        let images: Vec<Vec<Affine>> = (0..n)
+            .map(|i| after(&stands, by, &(0..=n).map(|j| int(usize::from(j == i + 1))).collect()))
+            .collect();
+        let vertices = images.iter().map(Vec::len).max().unwrap();
+        (0..vertices).all(|v| {
+            let row = |i: usize| images[i].get(v).unwrap_or(&images[i][0]);
+            [(&c0, &q0), (&c1, &q1)].into_iter().take(if time.is_some() { 2 } else { 1 }).all(
+                |(c, m)| {
+                    let aq = |i: usize, j: usize| -> Rational {
+                        (0..n).map(|k| &row(i)[k + 1] * &m[k][j]).sum()
+                    };
+                    let entry = |i: usize, j: usize| {
+                        &rate * (&q1[i][j] - &q0[i][j]) - aq(i, j) - aq(j, i) - &decay * &m[i][j]
+                    };
+                    let drift = |i: usize| -> Rational {
+                        &row(i)[0] + (0..n).map(|k| &row(i)[k + 1] * &c[k]).sum::<Rational>()
+                    };
+                    let matrix = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
+                    let column = (0..n).map(|i| &rate * (&c1[i] - &c0[i]) - drift(i)).collect();
+                    semidefinite(&bordered(matrix, column, decay.clone()))
+                },
+            )
+        })
+    });
+    let held = words(&body["claims"]).iter().all(|text| {
+        let (form, sign) = literal(&names, text);
+        let reached = |x: &Rational| x.is_positive() || (x.is_zero() && sign == ">=");
+        let at = |name: &str| {
+            let (c, m) = node(name);
+            let g = (0..n).fold(form[0].clone(), |sum, i| sum + &form[i + 1] * &c[i]);
+            let wide: Rational =
+                (0..n * n).map(|k| &form[k / n + 1] * &m[k / n][k % n] * &form[k % n + 1]).sum();
+            (g, wide)
+        };
+        let nodes = body["nodes"].as_object().unwrap().keys().all(|name| {
+            let (g, wide) = at(name);
+            reached(&g) && reached(&(&g * &g - wide))
+        });
+        let ways = edges.iter().filter(|e| e.get("time").is_some()).all(|e| {
+            let ((g0, w0), (g1, w1)) =
+                (at(e["from"].as_str().unwrap()), at(e["to"].as_str().unwrap()));
+            // (g0 + s dg)^2 - w0 - s dw, lowest at s = (dw - 2 g0 dg) / (2 dg^2).
+            let (dg, dw, two) = (&g1 - &g0, &w1 - &w0, Rational::from_integer(2.into()));
+            if dg.is_zero() {
+                return true;
+            }
+            let s = (&dw - &two * &g0 * &dg) / (&two * &dg * &dg);
+            let g = &g0 + &s * &dg;
+            !s.is_positive() || s >= Rational::one() || reached(&(&g * &g - &w0 - &s * &dw))
+        });
+        nodes && ways
+    });
+    ranges(system) && positive && started && kept && held
 }
 
 fn refutation(body: &Value) -> bool {

@@ -1,0 +1,98 @@
+//! Systems in continuous time.
+
+use std::collections::BTreeMap;
+
+use num_traits::Zero;
+
+use super::System;
+use crate::exact::shortened;
+use crate::linear::feasible::Sign;
+use crate::{Error, Rational, Result};
+
+/// A system in continuous time: what its modes make of a state is not the next one but its derivative.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Flow {
+    /// Its parts; the schedule says in which order modes act, where they do in turn.
+    pub system: System,
+    /// When they change.
+    pub switching: Switching,
+}
+
+/// When modes change; times in seconds, or whatever the derivatives are taken by.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Switching {
+    /// At any time.
+    Any,
+    /// A mode that begins to act acts for so long at least.
+    Dwell(Rational),
+    /// In turn, each for so long.
+    Every(Rational),
+}
+
+/// Most corners of the box in which a start lies.
+const MOST_CORNERS: usize = 1 << 10;
+
+impl Flow {
+    /// The corners of the box in which a run starts.
+    ///
+    /// # Errors
+    /// The assumptions on the start are no box, or an empty one.
+    pub fn corners(&self) -> Result<Vec<Vec<Rational>>> {
+        let system = &self.system;
+        let mut ends: BTreeMap<(usize, bool), Rational> = BTreeMap::new();
+        for predicate in &system.starts {
+            let (constant, coefficients) = predicate.is.form.parts().unzip();
+            let nonzero = coefficients
+                .unwrap_or_default()
+                .iter()
+                .enumerate()
+                .filter(|(_, c)| !c.is_zero())
+                .collect::<Vec<_>>();
+            let ([(j, c)], Some(constant)) = (nonzero.as_slice(), constant) else {
+                return Err(Error::input(format!(
+                    "start: `{}`: expected bounds of single variables: in continuous time starts are a box",
+                    shortened(&predicate.text)
+                )));
+            };
+            // c x + constant >= 0.
+            let end = -(constant / *c);
+            let is_lower = **c > Rational::zero();
+            let sides: &[bool] =
+                if predicate.is.sign == Sign::Zero { &[false, true] } else { &[is_lower] };
+            for &lower in sides {
+                let tighter = |old: &Rational| if lower { end > *old } else { end < *old };
+                if ends.get(&(*j, lower)).is_none_or(tighter) {
+                    ends.insert((*j, lower), end.clone());
+                }
+            }
+        }
+        let mut corners = vec![Vec::new()];
+        for (j, name) in system.state.iter().enumerate() {
+            let (Some(low), Some(high)) = (ends.get(&(j, true)), ends.get(&(j, false))) else {
+                return Err(Error::input(format!(
+                    "start: `{name}` has no bounds: expected two, or a value"
+                )));
+            };
+            if low > high {
+                return Err(Error::input(format!(
+                    "start: `{name}` is at least {low} and at most {high}: expected a start that there is"
+                )));
+            }
+            let sides = if low == high { vec![low] } else { vec![low, high] };
+            corners = corners
+                .iter()
+                .flat_map(|corner: &Vec<Rational>| {
+                    sides
+                        .iter()
+                        .map(move |side| corner.iter().cloned().chain([(*side).clone()]).collect())
+                })
+                .collect();
+            if corners.len() > MOST_CORNERS {
+                return Err(Error::input(format!(
+                    "start: expected a box of at most {MOST_CORNERS} corners"
+                )));
+            }
+        }
+        Ok(corners)
+    }
+}

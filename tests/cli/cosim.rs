@@ -160,7 +160,7 @@ fn planar_runs_are_written_and_read_back() {
     for out in [&csv, &json] {
         let (code, said, err) = run(&[&flags[..], &rest[..], &[out]].concat());
         assert_eq!((code, err.as_str()), (0, ""));
-        assert!(said.contains("(desired x_d and y_d, actual x and y, in m)"), "{said}");
+        assert!(said.contains("desired x_d and y_d, actual x and y, in m)"), "{said}");
         assert!(said.contains("smallest distance ") && !said.contains("order"), "{said}");
         assert!(said.contains("largest difference from the run in exact arithmetic"), "{said}");
         assert_eq!(run(&["replay", out, "--out", &html]).0, 0);

@@ -334,7 +334,7 @@ fn the_checker_finds_what_is_broken() {
     let [global, rest @ ..] = files.as_slice() else { unreachable!() };
     for (from, to, said) in [
         ("END coverage_table", "END coverage_tables", "ended by another name"),
-        ("END coverage_table", "", "coverage_table: ended by another name"),
+        ("END coverage_table", "", "no END"),
         ("    ENDIF\n    MEASURE k", "    MEASURE k", "is missing"),
         ("getx(s, i - 1) ELSE seg_min", "getx(s, i - 1 ELSE seg_min", "was expected"),
         ("(# row := row_from(s, 0)", "( row := row_from(s, 0)", "was expected"),

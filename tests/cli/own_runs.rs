@@ -114,10 +114,12 @@ fn local_machines_and_flights_run_the_file() {
     let run = folder.path().join("run.json").display().to_string();
     assert_eq!(call(&format!("cosim {scenario} --duration 2 --out {run}")).0, 0);
     meets("cordon-cosim/1", &parsed(&fs::read_to_string(&run).unwrap()), "own flight");
-    // The exported unit has the spec's protocol inside.
-    let refused = call(&format!("export ssp {scenario} --out {page}.ssp"));
-    assert_eq!(refused.0, 2);
-    assert!(refused.2.contains("expected `coverage`"), "{}", refused.2);
+    // The exported unit has the file inside.
+    let archive = folder.path().join("mine.ssp").display().to_string();
+    assert_eq!(call(&format!("export ssp {scenario} --out {archive}")).0, 0);
+    let (code, flown, said) = call(&format!("cosim {archive} --duration 2"));
+    assert_eq!(code, 0, "{said}");
+    assert!(flown.contains("smallest gap"), "{flown}");
 }
 
 /// What z3 says of an exported script, a word a query.

@@ -93,11 +93,17 @@ fn the_page_shows_the_run_at_any_time() {
         status.starts_with("t = 0.00 s of 15.00 s; smallest gap 10.000 m (drones 0 and 1)"),
         "{status}"
     );
-    assert!(status.ends_with("in order; collisions so far: 0"), "{status}");
+    assert!(
+        status.ends_with("in order; height 0.00 m of 1.00 m; collisions so far: 0"),
+        "{status}"
+    );
     assert!(dom.contains("12.591 s: drones 1 and 2 collide"));
     assert!(text_of(&dom, "setup").contains("eps = 7/10, an update every 14 ticks of 1/20 s"));
     let (status, _) = at("12.65");
-    assert!(status.contains("out of order: drones 1, 2; collisions so far: 1"), "{status}");
+    assert!(
+        status.contains("out of order: drones 1, 2; height 0.96 m of 1.00 m; collisions so far: 1"),
+        "{status}"
+    );
 }
 
 /// Buttons, slider and keys, pressed by a script that is put at the page's end.
@@ -164,7 +170,7 @@ fn the_page_shows_the_plane_and_the_height() {
     let expected = "t = 6.00 s of 25.00 s; smallest distance 4.360 m (drones 0 and 1); none touch; \
                     height 0.70 m of 1.00 m; collisions so far: 0";
     assert_eq!(status, expected);
-    for words in ["Distance of the nearest two over time</h2>", "Collisions</h2>", "> touching<"] {
+    for words in ["Distance of the nearest two over time</h2>", "Collisions</h2>", ">touching<"] {
         assert!(dom.contains(words), "{words}");
     }
     assert!(!dom.contains("id=\"from-the-side\" aria-label=\"Drones from the side\" hidden"));

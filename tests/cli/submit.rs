@@ -24,12 +24,18 @@ fn sweep(args: &str) -> (i32, String, String) {
 
 /// A sweep that is submitted where nobody takes jobs: everything is ready in the folder.
 fn ready(args: &str, shards: usize, folder: &Path) {
+    // A submission command that finds no scheduler, at once.
+    let tools = tempfile::tempdir().unwrap();
+    let sbatch = tools.path().join("sbatch");
+    fs::write(&sbatch, "#!/bin/sh\necho no controller >&2\nexit 1\n").unwrap();
+    fs::set_permissions(&sbatch, fs::Permissions::from_mode(0o755)).unwrap();
+    let path = format!("{}:{}", tools.path().display(), std::env::var("PATH").unwrap());
     let out = cordon()
         .arg("sweep")
         .args(args.split_whitespace())
         .args(["--submit", "slurm", "--shards", &shards.to_string(), "--out"])
         .arg(folder)
-        .env("SLURM_CONF", "/nonexistent")
+        .env("PATH", path)
         .output()
         .unwrap();
     let said = String::from_utf8_lossy(&out.stderr);

@@ -209,9 +209,9 @@ fn shards_partition_the_sweep_and_merge_to_it() {
         assert!(err.contains(says), "{err}");
         assert!(!at("merged").exists());
     };
-    refused(&["1", "3"], "work items are in no file, the first of them item 1 (7.2 paper, N = 3");
-    refused(&["1", "2", "3", "2"], "work item 1 (7.2 paper, N = 3, eps = 1/4) is in `");
-    refused(&["whole", "1"], "work item 0 (7.2 paper, N = 3, eps = 0) is in `");
+    refused(&["1", "3"], "work items are in no file, the first of them item 0 (7.2 paper, N = 3");
+    refused(&["1", "2", "3", "2"], "work item 0 (7.2 paper, N = 3, eps = 0) is in `");
+    refused(&["whole", "1"], "work item 1 (7.2 paper, N = 3, eps = 1/4) is in `");
     // Another sweep.
     sweep(&format!("{SMALL} --shard 3/3 --any-weight --out {}", at("other").display()));
     refused(&["1", "2", "other"], "are parts of different sweeps: ");

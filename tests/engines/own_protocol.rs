@@ -605,7 +605,7 @@ fn mistakes_are_named_with_file_line_column_and_key() {
         (good.replace("x0 < x1", "x0 < 1/0"), "claims: a division by zero"),
         (good.replace("[\"x0 < x1\"]", "[]"), "no claim: expected `claims` or `converges`"),
         (good.replace("rules", "rulez"), "unknown field `rulez`"),
-        (good.replace("x0 < x1", "x0 < x0"), "no start meets the assumptions"),
+        (good.replace("x0 < x1", "x0 < x0"), "no start meets the claims, which are assumed"),
         (good.replace("x0 < x1", &"(".repeat(500)), "claims: is nested too deeply"),
         (
             rule(&format!("{}x", "x + ".repeat(20_000))),

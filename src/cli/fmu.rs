@@ -18,7 +18,7 @@ pub struct Args {
 #[derive(clap::Subcommand, Debug)]
 enum Command {
     /// Write a unit of the co-simulation as an FMU, which other tools run
-    Export(ExportArgs),
+    Export(Box<ExportArgs>),
     /// Serve an FMU to the parent process
     #[command(hide = true)]
     Host,

@@ -8,5 +8,5 @@ fn a_thousand_protocols_are_decided_as_they_run() {
 
 #[test]
 fn brackets_of_random_protocols_hold_on_both_sides() {
-    own_random::brackets_hold(300);
+    own_random::brackets_hold(80);
 }

@@ -174,8 +174,7 @@ mod tests {
         let s = scenario(&file.display().to_string(), "start = [0, 0, 1, 0]");
         let said = Cosimulation::new(s, Flight::default()).unwrap_err().to_string();
         assert!(said.contains("state `x, z`: expected no `z`"), "{said}");
-        let mut flight = Flight::default();
-        flight.start = Some(vec![1.into_rational(); 16]);
+        let flight = Flight { start: Some(vec![1.into_rational(); 16]), ..Flight::default() };
         let said = Cosimulation::new(planar("euler", 1).scenario, flight).unwrap_err().to_string();
         assert!(said.contains("16 positions given: expected x and y for each"), "{said}");
     }

@@ -1,5 +1,7 @@
 //! What the contracts assume of the scalars (`model::exact`): that their operations are those of
 //! numbers. Of big rationals for all of them, of machine integers while the results fit.
+// The spec computes with references to the right operand: so does this.
+#![allow(clippy::op_ref)]
 use crate::placements::for_cases;
 use cordon_core::Rational;
 use cordon_spec::Scalar;

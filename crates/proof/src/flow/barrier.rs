@@ -11,8 +11,11 @@ pub struct Block {
     /// Its value where all variables are 0.
     constant: Matrix,
     /// Of each variable that occurs, the entries (row, column, number) of its coefficient, both halves.
-    coefficients: Vec<(usize, Vec<(usize, usize, f64)>)>,
+    coefficients: Vec<(usize, Entries)>,
 }
+
+/// Entries of a matrix: row, column, number.
+type Entries = Vec<(usize, usize, f64)>;
 
 impl Block {
     /// A matrix that is `constant` so far.

@@ -530,10 +530,10 @@ pub fn prove(flow: &Flow) -> Result<Answer> {
         }
         let Some(found) = tried.first() else { continue };
         best = Some(best.map_or(found.margin, |b: f64| b.max(found.margin)));
-        if found.margin > 0.0 {
-            if let Some(found) = rounded(&search, &plan, found)? {
-                return Ok(Answer::Proved(Box::new(found)));
-            }
+        if found.margin > 0.0
+            && let Some(found) = rounded(&search, &plan, found)?
+        {
+            return Ok(Answer::Proved(Box::new(found)));
         }
     }
     Ok(best.map_or(Answer::Open, |margin| Answer::Missed(-margin)))

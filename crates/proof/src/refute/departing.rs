@@ -276,14 +276,14 @@ impl Swarm {
     /// The run, if the spec confirms it.
     fn replayed(&self, space: &SearchSpace, run: &Run) -> Option<Counterexample> {
         let start = run.states.first()?.iter().step_by(self.remembered()).cloned().collect();
-        let steps = run.choices.iter().enumerate();
+        let steps = run.choices.iter();
         let departure = match self.departures {
             Departures::Skips => {
-                Departure::Activation(steps.map(|(_, choice)| self.active(choice)).collect())
+                Departure::Activation(steps.map(|choice| self.active(choice)).collect())
             }
-            Departures::Late(_) => {
-                Departure::Delay(steps.map(|(t, choice)| self.stale(t, choice)).collect())
-            }
+            Departures::Late(_) => Departure::Delay(
+                steps.enumerate().map(|(t, choice)| self.stale(t, choice)).collect(),
+            ),
         };
         let (theorem, form) = (space.theorem, space.form);
         Counterexample::replay_departing(theorem, form, &self.eps, start, run.step, departure)

@@ -630,7 +630,7 @@ fn mistakes_are_named_with_file_line_column_and_key() {
         assert_eq!((code, out.as_str()), (2, ""), "{text}\n{err}");
         assert!(err.contains(expected), "expected `{expected}` in `{err}`");
     }
-    assert_eq!(cases.len(), 31);
+    assert_eq!(cases.len(), 34);
     std::fs::write(&path, good).unwrap();
     let with = |flags: &[&str]| {
         let file = path.to_str().unwrap();

@@ -198,6 +198,19 @@ fn stale_messages_break_ordering_and_never_the_bounds() {
 }
 
 #[test]
+fn drones_cross_where_messages_are_as_late_as_the_guide_says() {
+    let late = |drones, eps, ages| {
+        let space = space(Theorem::Ordering, Form::Sharp, &[drones], given(eps));
+        departing::search(&space, Departures::Late(ages)).unwrap()
+    };
+    let found = late(6, "31/100", 2).found.unwrap();
+    assert!(found.step == 3 && found.weight_is_in_range() && valid(&found));
+    let answer = late(5, "2/5", 1);
+    assert!(answer.found.is_none());
+    assert_eq!(answer.covered[0].extent, Extent::EveryStartAndStep);
+}
+
+#[test]
 fn ages_before_the_start_replay_nothing() {
     let replay = |stale| {
         Counterexample::replay_departing(

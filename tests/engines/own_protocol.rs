@@ -1,8 +1,9 @@
 //! Users' own protocols: proofs, counterexamples, convergence, critical values.
+use std::cell::Cell;
 use std::path::Path;
 
-use crate::common::{q, run};
-use crate::own_random;
+use crate::common::{for_cases, q, run};
+use crate::own_random::{self, choices, grid, random_protocol};
 use cordon_check::Verdict;
 use cordon_core::Rational;
 use cordon_core::linear::feasible::{Constraint, Premises};
@@ -11,9 +12,10 @@ use cordon_proof::claims::certificate::certificate;
 use cordon_proof::claims::search::{End, Limits};
 use cordon_proof::claims::sweep::on_grid;
 use cordon_proof::claims::threshold::{Known, Property, critical, known, with};
-use cordon_proof::claims::{PROOF, constants, converge, prove, prove_within, refute};
+use cordon_proof::claims::{PROOF, constants, converge, follow, prove, prove_within, refute};
 use cordon_run::protocol::{parse, read};
 use cordon_run::scenario::Topology;
+use proptest::prelude::*;
 
 fn own(name: &str, agents: Option<usize>) -> System {
     let file = read(Path::new(&format!("scenarios/own/{name}.toml"))).unwrap();
@@ -454,9 +456,37 @@ fn what_is_proved_never_fails_and_what_is_refuted_replays() {
     own_random::agree(150);
 }
 
+/// Whenever a critical value is bracketed, both sides hold.
+fn brackets_hold(cases: u32) {
+    let (tried, bracketed) = (Cell::new(0), Cell::new(0));
+    for_cases(cases, random_protocol(1..2), |text| {
+        tried.set(tried.get() + 1);
+        let Some(system) = own_random::read(&text.replace("1/4..1/2", "0..4"))? else {
+            return Ok(());
+        };
+        let (found, _) = critical(&system, 0, Property::Claims, 1).unwrap();
+        let Some(found) = found else { return Ok(()) };
+        bracketed.set(bracketed.get() + 1);
+        let at = |value| with(&system, 0, value);
+        prop_assert_eq!(known(&at(&found.holds), Property::Claims).unwrap(), Known::Holds);
+        for (n, start) in grid(&system).into_iter().enumerate() {
+            let by = choices(&system, &found.holds, n);
+            prop_assert_eq!(follow(&system, &[], &start, by), None, "{}", text);
+        }
+        let fails = at(&found.fails);
+        let (run, _) = refute(&fails, &constants(&fails, 1).unwrap(), None, 40);
+        let run = run.ok_or_else(|| TestCaseError::fail(format!("no run:\n{text}")))?;
+        let again = follow(&fails, &run.values, &run.states[0], run.choices.clone());
+        prop_assert_eq!(again.as_ref(), Some(&run), "{}", text);
+        Ok(())
+    });
+    assert_eq!(tried.get(), cases);
+    assert!(bracketed.get() >= cases / 20, "{bracketed:?}");
+}
+
 #[test]
 fn brackets_hold_on_both_sides() {
-    own_random::brackets_hold(40);
+    brackets_hold(40);
 }
 
 #[test]

@@ -7,14 +7,13 @@ use cordon_core::Rational;
 use cordon_core::system::{ParameterKind, System};
 use cordon_proof::claims::certificate::certificate;
 use cordon_proof::claims::search::{Choice, Limits};
-use cordon_proof::claims::threshold::{Known, Property, critical, known, with};
 use cordon_proof::claims::{constants, follow, is_vacuous, prove_within, refute};
 use cordon_run::protocol::parse;
 use proptest::prelude::*;
 
 /// Two or three agents with small rational coefficients, some that keep still or hear nobody; starts
 /// in a box, closed or open, some on a plane, some none at all; one or two claims.
-fn random_protocol(kinds: std::ops::Range<u8>) -> impl Strategy<Value = String> {
+pub fn random_protocol(kinds: std::ops::Range<u8>) -> impl Strategy<Value = String> {
     (2usize..=3).prop_flat_map(move |n| {
         let entry = (-2i32..=2, 4i32..=6);
         let row = (prop::collection::vec(entry, n + 1), 0u8..8);
@@ -76,7 +75,7 @@ fn text(rows: &[Row], claims: &[(Vec<i32>, i32, u8)], kind: u8, start: u8) -> St
 }
 
 /// Assumed starts on a grid of the box, ends included.
-fn grid(system: &System) -> Vec<Vec<Rational>> {
+pub fn grid(system: &System) -> Vec<Vec<Rational>> {
     let (values, n) = (["-1", "-1/3", "1/3", "1"].map(q), system.agents);
     (0..4usize.pow(n as u32))
         .map(|code| (0..n).map(|i| values[code / 4usize.pow(i as u32) % 4].clone()).collect())
@@ -85,7 +84,7 @@ fn grid(system: &System) -> Vec<Vec<Rational>> {
 }
 
 /// Choices of six steps, by a number: constants stay, what varies takes its ends.
-fn choices(system: &System, eps: &Rational, code: usize) -> Vec<Choice> {
+pub fn choices(system: &System, eps: &Rational, code: usize) -> Vec<Choice> {
     let values = |step: usize| {
         let mut bits = (code * 2_654_435_761) >> step;
         let mut value = |p: &cordon_core::system::Parameter| {
@@ -102,7 +101,7 @@ fn choices(system: &System, eps: &Rational, code: usize) -> Vec<Choice> {
 }
 
 /// A system, unless no start meets its assumptions.
-fn read(text: &str) -> Result<Option<System>, TestCaseError> {
+pub fn read(text: &str) -> Result<Option<System>, TestCaseError> {
     let fail = |e: cordon_core::Error| TestCaseError::fail(e.to_string());
     let system = parse("random", text).map_err(fail)?.system().map_err(fail)?;
     let empty = text.contains("\"x1 <= x0\"");
@@ -155,30 +154,4 @@ pub fn agree(cases: u32) {
     assert_eq!(proved.get() + refuted.get() + open.get() + empty.get(), cases);
     let least = cases / 10;
     assert!(proved.get() >= least && refuted.get() >= least && empty.get() > 0);
-}
-
-/// Whenever a critical value is bracketed, both sides hold.
-pub fn brackets_hold(cases: u32) {
-    let (tried, bracketed) = (Cell::new(0), Cell::new(0));
-    for_cases(cases, random_protocol(1..2), |text| {
-        tried.set(tried.get() + 1);
-        let Some(system) = read(&text.replace("1/4..1/2", "0..4"))? else { return Ok(()) };
-        let (found, _) = critical(&system, 0, Property::Claims, 1).unwrap();
-        let Some(found) = found else { return Ok(()) };
-        bracketed.set(bracketed.get() + 1);
-        let at = |value| with(&system, 0, value);
-        prop_assert_eq!(known(&at(&found.holds), Property::Claims).unwrap(), Known::Holds);
-        for (n, start) in grid(&system).into_iter().enumerate() {
-            let by = choices(&system, &found.holds, n);
-            prop_assert_eq!(follow(&system, &[], &start, by), None, "{}", text);
-        }
-        let fails = at(&found.fails);
-        let (run, _) = refute(&fails, &constants(&fails, 1).unwrap(), None, 40);
-        let run = run.ok_or_else(|| TestCaseError::fail(format!("no run:\n{text}")))?;
-        let again = follow(&fails, &run.values, &run.states[0], run.choices.clone());
-        prop_assert_eq!(again.as_ref(), Some(&run), "{}", text);
-        Ok(())
-    });
-    assert_eq!(tried.get(), cases);
-    assert!(bracketed.get() >= cases / 20, "{bracketed:?}");
 }

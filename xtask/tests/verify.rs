@@ -440,7 +440,7 @@ fn bad_input_is_named() {
     assert_eq!(
         error,
         "error: --tiers: `coq` is no tier: expected `all` or some of simulated, grid, complete, \
-         kani, smt, creusot, certificate, rocq, lean\n"
+         kani, smt, creusot, certificate, rocq, lean, pvs\n"
     );
     let error = stderr_of(&["verify", "--run", "x"], 2);
     assert!(error.starts_with("error: --run: `x` is no tier"), "{error}");

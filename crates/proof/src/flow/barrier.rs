@@ -96,7 +96,8 @@ fn solve(l: &Matrix, b: &[f64]) -> Vec<f64> {
     x
 }
 
-/// A variable to be made as large as the blocks allow.
+/// A variable to be made as large as the blocks allow. They have to bound all variables: where one may go on for
+/// ever, the barrier has no least value.
 #[derive(Clone, Debug)]
 pub struct Program {
     /// Number of variables.
@@ -252,7 +253,9 @@ mod tests {
         for (v, by) in [(0, 1.0), (1, 1.0), (2, -1.0)] {
             line.add(v, 0, 0, by);
         }
-        let mut program = Program { variables: 3, blocks: vec![disc, line], objective: 2 };
+        let mut floor = Block::new(vec![vec![10.0]]);
+        floor.add(2, 0, 0, 1.0);
+        let mut program = Program { variables: 3, blocks: vec![disc, line, floor], objective: 2 };
         let start = program.feasible(&[3.0, 4.0, 100.0]).unwrap();
         let x = program.maximise(&start, 1e-6, f64::INFINITY).unwrap();
         assert!((x[2] - 2f64.sqrt()).abs() < 1e-5 && (x[0] - x[1]).abs() < 1e-4, "{x:?}");

@@ -494,6 +494,7 @@ fn parameters_with_several_values_make_a_batch() {
             "2 values: expected one in a run",
         ),
         (&["cosim", &scenario, "--exact"], "exact: expected one run"),
+        (&["cosim", &scenario, "--variables", "*.x"], "variables: expected one run"),
         (&["cosim", &scenario, "--format", "json"], "format: expected `csv`"),
     ] {
         let (code, out, err) = bench.run(args);

@@ -27,6 +27,9 @@ pub(super) fn run(
     if args.exact {
         return Err(Error::input("exact: expected one run, found several"));
     }
+    if !args.variables.is_empty() {
+        return Err(Error::input("variables: expected one run, found several"));
+    }
     let format = args.out.as_deref().map(|path| args.format_of(path)).transpose()?;
     if format.or(args.format).is_some_and(|format| format != Format::Csv) {
         return Err(Error::input(

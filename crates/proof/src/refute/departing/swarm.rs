@@ -1,109 +1,35 @@
-//! Steps in which drones skip their update, or see their neighbours where they were: as a system that
-//! the spec's own functions are executed to make, searched by the engine of claims.
+//! A line of drones whose steps depart, as a system.
 
 use cordon_spec::activation::exec_coverage_active;
-use cordon_spec::coverage::getx;
 use cordon_spec::delay::exec_coverage_delayed;
-use cordon_spec::theorems::{Form, Theorem, Truth, Verdict};
+use cordon_spec::theorems::{Truth, Verdict};
 use cordon_spec::{Params, Scalar, State};
 use num_traits::{One, Zero};
 
-use super::conjunction::demands;
-use super::region::Region;
-use super::{
-    Coverage, Extent, SearchResult, SearchSpace, is_conjunction, params, symbolic_setting,
-    violating_start,
-};
+use super::Departures;
 use crate::certificate::Departure;
 use crate::claims::automaton::Automaton;
 use crate::claims::search::Choice;
-use crate::claims::{Run, Sought, WORK, sought};
+use crate::claims::{Run, Sought, sought};
 use crate::counterexample::Counterexample;
+use crate::refute::conjunction::demands;
+use crate::refute::{Extent, SearchSpace, symbolic_setting};
 use crate::symbolic::Symbol;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Sign};
 use cordon_core::system::{
     Claim, MOST_VARIABLES, Parameter, ParameterKind, Predicate, Protocol, System,
 };
-use cordon_core::{Error, Rational, Result, progress};
-
-/// How steps depart from the protocol as written, in each step anew.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Departures {
-    /// Any drone may skip its update.
-    Skips,
-    /// Each drone may see each neighbour as it was up to so many steps ago, but never before the start.
-    Late(usize),
-}
-
-/// Most patterns of delays that do not change.
-const MOST_PATTERNS: usize = 10_000;
-
-/// Most drones for which they are tried: what happens between two drones needs no more around them.
-const MOST_DRONES: usize = 12;
-
-/// Whether the conclusion is about one placement and made of comparisons, so that it is a claim.
-pub fn is_claim(theorem: Theorem, form: Form) -> bool {
-    is_conjunction(theorem) && theorem.span(form, 3) == 0
-}
-
-/// Searches over all departures of every step.
-///
-/// # Errors
-/// The theorem reads more than one placement, or there are more drones and delays than a system has
-/// variables.
-pub fn search(space: &SearchSpace, departures: Departures) -> Result<SearchResult> {
-    let number = space.theorem.number();
-    if !is_claim(space.theorem, space.form) {
-        return Err(Error::input(format!(
-            "theorem: `{number}` with skipped updates or stale messages: expected 7.2, 7.3 or 7.4i"
-        )));
-    }
-    let mut covered = Vec::new();
-    for &count in &space.drones {
-        let swarm = |eps: &Rational| Swarm { count, eps: eps.clone(), departures };
-        swarm(&Rational::zero()).fits()?;
-        let weights = space.weights_for(count);
-        // The simplest first: delays that do not change.
-        let mut best: Option<Counterexample> = None;
-        for eps in &weights {
-            best = swarm(eps).unchanging_counterexample(space, best);
-            progress::advance(1);
-        }
-        if best.is_some() {
-            return Ok(SearchResult { found: best, covered });
-        }
-        let mut left = WORK;
-        let mut others = weights.len() as u64;
-        for eps in weights {
-            let deepest = match &best {
-                None => space.steps,
-                Some(found) if found.step == 0 => break,
-                Some(found) => found.step - 1,
-            };
-            // What the simple ones leave, the others may use.
-            let mut work = left / others;
-            others -= 1;
-            left -= work;
-            let (found, extent) = swarm(&eps).counterexample(space, deepest, &mut work)?;
-            left += work;
-            best = found.or(best);
-            covered.push(Coverage { count, eps, extent });
-            progress::advance(space.pieces_of_one() - 1);
-        }
-        if best.is_some() {
-            covered.retain(|c| c.count < count);
-            return Ok(SearchResult { found: best, covered });
-        }
-    }
-    Ok(SearchResult { found: None, covered })
-}
+use cordon_core::{Error, Rational, Result};
 
 /// A line of drones on the segment \[0, 1\] whose steps depart.
-struct Swarm {
-    count: usize,
-    eps: Rational,
-    departures: Departures,
+pub(super) struct Swarm {
+    /// Number of drones, at least 3.
+    pub count: usize,
+    /// The weight of the neighbours.
+    pub eps: Rational,
+    /// What steps may do.
+    pub departures: Departures,
 }
 
 impl Swarm {
@@ -116,12 +42,12 @@ impl Swarm {
     }
 
     /// Who sees whom late, where it matters: the end drones do not move.
-    fn links(&self) -> Vec<(usize, usize)> {
+    pub(super) fn links(&self) -> Vec<(usize, usize)> {
         (1..self.count.saturating_sub(2)).flat_map(|i| [(i, i + 1), (i + 1, i)]).collect()
     }
 
     /// Refuses more positions than a system may have.
-    fn fits(&self) -> Result<()> {
+    pub(super) fn fits(&self) -> Result<()> {
         let width = self.remembered();
         let variables = self.count.saturating_mul(width);
         if variables > MOST_VARIABLES {
@@ -173,7 +99,7 @@ impl Swarm {
     }
 
     /// The first counterexample up to step `last`, or how far there is none, within so much work.
-    fn counterexample(
+    pub(super) fn counterexample(
         &self,
         space: &SearchSpace,
         last: usize,
@@ -190,87 +116,6 @@ impl Swarm {
             // The spec decides; a run that it does not confirm is no counterexample.
             Sought::Fails(run) => (self.replayed(space, &run), Extent::Tried),
         })
-    }
-
-    /// A counterexample at an earlier step than the one known, with delays that do not change; else that
-    /// one.
-    fn unchanging_counterexample(
-        &self,
-        space: &SearchSpace,
-        known: Option<Counterexample>,
-    ) -> Option<Counterexample> {
-        self.unchanging().iter().fold(known, |best, ages| {
-            let last = best.as_ref().map_or(Some(space.steps), |b| b.step.checked_sub(1));
-            last.and_then(|last| self.along(space, ages, last)).or(best)
-        })
-    }
-
-    /// How late each link is where that does not change, the smallest delays first. Where those are too
-    /// many, only two drones are late, to each other.
-    fn unchanging(&self) -> Vec<Vec<usize>> {
-        let Departures::Late(longest) = self.departures else { return Vec::new() };
-        if self.count > MOST_DRONES {
-            return Vec::new();
-        }
-        let links = self.links().len();
-        let number = (0..links).fold(1_usize, |n, _| n.saturating_mul(longest + 1));
-        let mut ages: Vec<Vec<usize>> = match number <= MOST_PATTERNS {
-            true => (0..links).fold(vec![Vec::new()], |all, _| {
-                let longer = |ages: Vec<usize>| {
-                    (0..=longest).map(move |age| ages.iter().copied().chain([age]).collect())
-                };
-                all.into_iter().flat_map(longer).collect()
-            }),
-            // Both directions of a link are beside each other.
-            false => (0..links)
-                .step_by(2)
-                .flat_map(|pair| (1..=longest).map(move |age| (pair, age)))
-                .map(|(pair, age)| {
-                    (0..links).map(|l| if l / 2 == pair / 2 { age } else { 0 }).collect()
-                })
-                .collect(),
-        };
-        ages.sort_by_key(|ages: &Vec<usize>| (ages.iter().sum::<usize>(), ages.clone()));
-        ages
-    }
-
-    /// The first counterexample up to step `last` with these delays of the links.
-    fn along(&self, space: &SearchSpace, ages: &[usize], last: usize) -> Option<Counterexample> {
-        let (theorem, form) = (space.theorem, space.form);
-        let set = theorem.hypothesis(form).starts;
-        let region = Region::of(set, self.count);
-        let params = params(&self.eps, Affine::constant);
-        let links = self.links();
-        let age = |t: usize, i: usize, j: usize| {
-            let link = links.iter().position(|&link| link == (i, j));
-            link.and_then(|place| ages.get(place)).map_or(0, |&age| age.min(t))
-        };
-        let stale = |t: usize| {
-            let mut all: Vec<_> = links.iter().map(|&(i, j)| (i, j, age(t, i, j))).collect();
-            all.retain(|&(.., age)| age > 0);
-            all.sort_unstable();
-            all
-        };
-        let mut history: Vec<State<Vec<Affine>>> = Vec::new();
-        let mut state = State { drones: region.placement(), timesteps: 0 };
-        for k in 0..=last {
-            let now = std::slice::from_ref(&state.drones);
-            let found = violating_start(theorem, form, set, &region, &self.eps, now).0;
-            let departure = || Departure::Delay((0..k).map(stale).collect());
-            let replayed = found.and_then(|start| {
-                let start = region.start(&start);
-                Counterexample::replay_departing(theorem, form, &self.eps, start, k, departure())
-            });
-            if replayed.is_some() {
-                return replayed;
-            }
-            history.push(state);
-            let present = history.last()?;
-            let seen =
-                |i: usize, j: usize| getx(history.get(k - age(k, i, j)).unwrap_or(present), j);
-            state = exec_coverage_delayed(&params, present, seen);
-        }
-        None
     }
 
     /// The run, if the spec confirms it.
@@ -384,5 +229,63 @@ impl Protocol for Swarm {
             all.extend(x.iter().skip(i * width).take(width - 1).cloned());
         }
         all
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use cordon_core::random::SplitMix;
+
+    /// Whatever is chosen, a step of the system is the spec's step with those departures.
+    #[test]
+    fn a_step_is_the_specs_whatever_is_chosen() {
+        let mut random = SplitMix::new(7);
+        let mut number = || Rational::new((random.below(41) as i64 - 20).into(), 7.into());
+        let mut bits = SplitMix::new(8);
+        let mut compared = 0;
+        for count in 3..=6 {
+            for departures in [Departures::Skips, Departures::Late(1), Departures::Late(3)] {
+                let swarm = Swarm { count, eps: number(), departures };
+                let system = System::of(&swarm).unwrap();
+                let width = swarm.remembered();
+                for _ in 0..20 {
+                    let x: Vec<Rational> = (0..count * width).map(|_| number()).collect();
+                    let chosen = |_: &Parameter| match bits.below(2) {
+                        0 => Rational::zero(),
+                        _ => Rational::one(),
+                    };
+                    let values: Vec<Rational> = system.parameters.iter().map(chosen).collect();
+                    let choice = Choice { mode: 0, values };
+                    let next = system.modes[0].at(&choice.values).apply(&x);
+                    let ago = |age: usize| x.iter().skip(age).step_by(width).cloned().collect();
+                    let past: Vec<Vec<Rational>> = (0..width).map(ago).collect();
+                    let (min, max) = (Rational::zero(), Rational::one());
+                    let p = Params { min, max, eps: swarm.eps.clone(), n: 0 };
+                    let state = State { drones: past[0].clone(), timesteps: 0 };
+                    let wanted = match departures {
+                        Departures::Skips => {
+                            let active = swarm.active(&choice);
+                            exec_coverage_active(&p, &state, |i| active.contains(&i))
+                        }
+                        Departures::Late(_) => {
+                            let stale = swarm.stale(width, &choice);
+                            let age = |i, j| stale.iter().find(|s| (s.0, s.1) == (i, j));
+                            exec_coverage_delayed(&p, &state, |i, j| {
+                                &past[age(i, j).map_or(0, |s| s.2)][j]
+                            })
+                        }
+                    };
+                    let now: Vec<Rational> = next.iter().step_by(width).cloned().collect();
+                    assert_eq!(now, wanted.drones, "{departures:?}");
+                    for (i, x) in x.chunks(width).enumerate() {
+                        assert_eq!(next[i * width + 1..(i + 1) * width], x[..width - 1]);
+                    }
+                    compared += 1;
+                }
+            }
+        }
+        assert_eq!(compared, 4 * 3 * 20);
     }
 }

@@ -7,12 +7,18 @@ use clap::parser::ValueSource;
 
 use cordon_core::{Error, Result, files};
 
-/// Commands, flags, and what else each flag needs to be given.
-const NEEDS: [(&str, &str, &str); 22] = [
+/// Commands, flags by their ids, and what else each flag needs to be given.
+const NEEDS: [(&str, &str, &str); 28] = [
     ("trace", "form", "check"),
     ("trace", "engine", "at"),
     ("trace", "verify", "at"),
     ("sweep", "seed", "sample"),
+    ("sweep", "submit", "shards"),
+    ("sweep", "shards", "submit"),
+    ("sweep", "partition", "submit"),
+    ("sweep", "time", "submit"),
+    ("sweep", "dry_run", "submit"),
+    ("theorems", "known", "protocol"),
     ("sweep", "agents", "protocol"),
     ("sweep", "set", "protocol"),
     ("theorems", "agents", "protocol"),
@@ -64,7 +70,9 @@ impl<'a> Call<'a> {
         else {
             return Ok(());
         };
-        Err(Error::input(format!("{flag}: expected --{other} with it")))
+        let named = self.command.get_arguments().find(|a| a.get_id() == *flag);
+        let flag = named.and_then(|a| a.get_long()).unwrap_or(flag);
+        Err(Error::input(format!("--{flag}: expected --{other} with it")))
     }
 
     /// Looks at `--out` before any work is done. Answers whether the file goes to stdout, where

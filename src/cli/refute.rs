@@ -230,6 +230,7 @@ impl Args {
         let hypothesis = space.theorem.hypothesis(space.form);
         let manner = match (self.activation, self.delay) {
             (true, _) => ", any subset of the drones skipping any step".to_owned(),
+            (_, Some(1)) => ", neighbours seen up to a step late".to_owned(),
             (_, Some(d)) => format!(", neighbours seen up to {d} steps late"),
             _ => String::new(),
         };

@@ -19,7 +19,7 @@ pub struct Args {
     #[command(flatten)]
     pub own: own_protocol::ProtocolArgs,
     /// With --protocol: prove or refute each claim, and say what is known of it
-    #[arg(long = "check", requires = "protocol", help_heading = "Own protocol")]
+    #[arg(long = "check", help_heading = "Own protocol")]
     pub known: bool,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]

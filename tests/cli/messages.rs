@@ -93,6 +93,9 @@ sweep 7.2 --max-denominator 1000000000
 sweep 7.2 --grid 0
 sweep 7.2 --sample 0
 sweep 7.2 --complete --seed 3
+sweep 7.2 --shards 3 --shard 1/2
+sweep 7.2 --submit slurm
+theorems 7.2 --check
 sweep 7.2 --steps 100001
 sweep 7.2 --threads 0
 sweep 7.2 --shard 4/3
@@ -162,5 +165,5 @@ fn every_message_is_as_it_was_read() {
         assert_eq!(found, expected);
     }
     assert_eq!(found.len(), expected.len());
-    assert_eq!(CALLS.lines().count(), 124);
+    assert_eq!(CALLS.lines().count(), 127);
 }

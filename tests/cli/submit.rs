@@ -160,8 +160,8 @@ fn jobs_that_make_no_sense_are_refused() {
         assert_eq!((code, out.as_str()), (2, ""), "{args}: {err}");
         assert!(err.contains(says), "{args}: {err}");
     };
-    refused("7.2 --submit slurm", "--shards <N>");
-    refused("7.2 --shards 4", "--submit <SUBMIT>");
+    refused("7.2 --submit slurm", "--submit: expected --shards with it");
+    refused("7.2 --shards 4", "expected --submit with it");
     refused("7.2 --submit slurm --shards 0", "--shards: `0`: expected 1 to 27, the sweep's number");
     refused("7.2 --submit slurm --shards 28", "--shards: `28`: expected 1 to 27");
     refused("7.2 --submit slurm --shards 4 --shard 1/4", "cannot be used with");

@@ -27,19 +27,19 @@ use cordon_proof::sweep::store::{Header, Store, line_of};
 #[derive(clap::Args, Debug)]
 pub(in super::super) struct Options {
     /// Run the sweep as jobs of this scheduler: a job for each part, and one that merges them
-    #[arg(long, value_enum, requires = "shards", conflicts_with_all = ["shard", "format", "protocol"])]
+    #[arg(long, value_enum, conflicts_with_all = ["shard", "format", "protocol"])]
     submit: Option<Scheduler>,
     /// Number of parts, at most one for each work item
-    #[arg(long, value_name = "N", requires = "submit")]
+    #[arg(long, value_name = "N")]
     shards: Option<usize>,
     /// Partition of Slurm
-    #[arg(long, value_name = "P", requires = "submit")]
+    #[arg(long, value_name = "P")]
     partition: Option<String>,
     /// Limit of each job's time, as Slurm reads it
-    #[arg(long, value_name = "T", requires = "submit")]
+    #[arg(long, value_name = "T")]
     time: Option<String>,
     /// Print the files that say what is run, and write and submit nothing
-    #[arg(long, requires = "submit")]
+    #[arg(long)]
     dry_run: bool,
 }
 

@@ -2,7 +2,7 @@
 use cordon_check::Verdict;
 use cordon_core::Rational;
 use cordon_proof::prove::any_size::{AnySize, any_size};
-use cordon_run::protocol::Family;
+use cordon_run::protocol::{Family, FamilyClaim};
 
 fn range(from: &str, to: &str) -> [Option<Rational>; 2] {
     [from, to].map(|end| (!end.is_empty()).then(|| end.parse().unwrap()))
@@ -41,7 +41,10 @@ fn family(
         rules: rules(of).into_iter().map(|(c, r)| (c, r.into_iter().collect())).collect(),
         given: texts(&["min < max"]),
         start: texts(start),
-        claims: texts(claims),
+        claims: claims
+            .iter()
+            .map(|c| FamilyClaim { text: (*c).to_owned(), literals: Ok(texts(&[*c])) })
+            .collect(),
     }
 }
 
@@ -109,8 +112,8 @@ fn right_ones_are_proved_for_every_number_and_wrong_ones_are_not() {
     let mut proved = 0;
     for (name, family, expected) in cases() {
         let found = any_size(&family).unwrap();
-        assert_eq!(found.is_some(), expected, "{name}");
-        if let Some(AnySize { certificate, .. }) = found {
+        assert_eq!(found.open.is_empty(), expected, "{name}");
+        if let AnySize { certificate: Some(certificate), .. } = found {
             let verdict = cordon_check::check(&certificate.to_string());
             assert!(matches!(verdict, Verdict::Valid { .. }), "{name}: {verdict}\n{certificate:#}");
             proved += 1;
@@ -130,7 +133,7 @@ fn committed_certificates_are_found_again() {
     ];
     for (file, case) in committed {
         let (_, family, _) = cases().into_iter().find(|(name, ..)| *name == case).unwrap();
-        let page = format!("{:#}\n", any_size(&family).unwrap().unwrap().certificate);
+        let page = format!("{:#}\n", any_size(&family).unwrap().certificate.unwrap());
         let path = format!("{}/proofs/certificates/{file}.json", env!("CARGO_MANIFEST_DIR"));
         if std::env::var_os("CORDON_BLESS").is_some() {
             std::fs::write(&path, &page).unwrap();
@@ -152,7 +155,21 @@ fn what_the_strategy_does_not_read_is_named() {
         ("x(i) < x(i+2)", "expected agents i, or i and i+1"),
     ];
     for (claim, expected) in wrong {
-        let said = any_size(&with(claim)).unwrap_err().to_string();
-        assert!(said.contains(expected), "{claim}: {said}");
+        let found = any_size(&with(claim)).unwrap();
+        assert!(found.certificate.is_none());
+        assert!(found.open[0].1.contains(expected), "{claim}: {:?}", found.open);
     }
+}
+
+/// A claim that is open leaves the others proved.
+#[test]
+fn what_is_proved_of_several_claims_is_concluded() {
+    let both = family(false, ["0", "1/2"], &COVERAGE, &BOX, &[BOX[0], WEAK, BOX[1]]);
+    let found = any_size(&both).unwrap();
+    assert_eq!(found.open, [(1, "no induction over the steps was found".to_owned())]);
+    let certificate = found.certificate.unwrap();
+    let verdict = cordon_check::check(&certificate.to_string()).to_string();
+    assert!(verdict.contains("x(k,i)") && !verdict.contains("x(k,1 + i) >= x(k,i)"), "{verdict}");
+    let one = family(false, ["0", "1/2"], &COVERAGE, &BOX, &[WEAK]);
+    assert!(any_size(&one).unwrap().certificate.is_none());
 }

@@ -13,7 +13,7 @@ mod export_smt2;
 mod fast;
 mod flow;
 mod impulse_response;
-mod own_protocol;
+mod own;
 mod own_random;
 mod parsers;
 mod prove;

@@ -6,18 +6,18 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::ProtocolArgs;
-use super::refute::{Search, refuted_claims};
+use super::refute::{Search, choice_text, choices_json, refuted_claims};
 use super::show::{claimed_steps, constants_text, head, headline};
 use crate::cli::select::OutputFormat;
-use cordon_core::exact::{decimal_string, fraction};
+use cordon_core::exact::{decimal_string, fraction, shortened};
 use cordon_core::system::System;
 use cordon_core::{Error, Evidence, Outcome, Result};
 use cordon_proof::certificate;
 use cordon_proof::claims::certificate::certificate as sealed;
 use cordon_proof::claims::converge::{self, Contraction, Growth};
-use cordon_proof::claims::{self, Proved};
+use cordon_proof::claims::{self, Proved, pinned};
 use cordon_proof::counterexample::list;
-use cordon_proof::prove::any_size::{AnySize, any_size};
+use cordon_proof::prove::any_size::any_size;
 use cordon_run::protocol::{Family, ProtocolFile};
 
 /// Proves what a protocol file claims, or refutes it, or says that it can do neither: first the claims
@@ -48,6 +48,7 @@ pub fn prove(
             "every_number",
             json!({
                 "proved": found.proved,
+                "claims": found.claims,
                 "reason": found.reason,
                 "clauses": found.clauses,
                 "file": found.file,
@@ -150,33 +151,54 @@ fn refuted_above(
 /// What is known for every number of agents.
 pub(super) struct EveryNumber {
     pub proved: bool,
-    /// Why not.
+    /// The claims that are proved, as they stand in the file.
+    pub claims: Vec<String>,
+    /// Why not all.
     reason: Option<String>,
     /// Clauses of the invariant.
     clauses: Option<usize>,
     file: Option<String>,
 }
 
-/// A proof for every number of agents, or why there is none.
+/// Proofs for every number of agents, or why there are none.
 pub(super) fn every_number(
     args: &ProtocolArgs,
     family: std::result::Result<Family, String>,
     folder: Option<&Path>,
 ) -> Result<EveryNumber> {
-    let open = |reason: String| {
-        Ok(EveryNumber { proved: false, reason: Some(reason), clauses: None, file: None })
+    let none = |reason: String| EveryNumber {
+        proved: false,
+        claims: Vec::new(),
+        reason: Some(reason),
+        clauses: None,
+        file: None,
     };
-    match family.and_then(|family| any_size(&family).map_err(|e| e.to_string())) {
-        Ok(Some(AnySize { certificate, invariant })) => {
-            if let Some(reason) = beyond_the_checker(&certificate)? {
-                return open(reason);
-            }
-            let file = written(args, folder, "-every-n", &certificate)?;
-            Ok(EveryNumber { proved: true, reason: None, clauses: Some(invariant), file })
-        }
-        Ok(None) => open("no induction over the steps was found".to_owned()),
-        Err(reason) => open(reason),
+    let found =
+        family.and_then(|f| any_size(&f).map(|found| (f, found)).map_err(|e| e.to_string()));
+    let (family, found) = match found {
+        Ok(found) => found,
+        Err(reason) => return Ok(none(reason)),
+    };
+    let text = |place: usize| family.claims.get(place).map_or("", |c| c.text.as_str());
+    let reason = found.open.first().map(|(place, why)| match family.claims.len() {
+        1 => why.clone(),
+        _ => format!("`{}`: {why}", shortened(text(*place))),
+    });
+    let Some(certificate) = &found.certificate else {
+        return Ok(none(reason.unwrap_or_default()));
+    };
+    if let Some(reason) = beyond_the_checker(certificate)? {
+        return Ok(none(reason));
     }
+    let is_open = |place: usize| found.open.iter().any(|(open, _)| *open == place);
+    let proved = (0..family.claims.len()).filter(|&place| !is_open(place));
+    Ok(EveryNumber {
+        proved: found.open.is_empty(),
+        claims: proved.map(|place| text(place).to_owned()).collect(),
+        reason,
+        clauses: Some(found.invariant),
+        file: written(args, folder, "-every-n", certificate)?,
+    })
 }
 
 /// Why the checker cannot judge a certificate, where it cannot: it is too large.
@@ -192,24 +214,25 @@ fn beyond_the_checker(certificate: &Value) -> Result<Option<String>> {
 }
 
 fn every_number_text(system: &System, found: &EveryNumber, out: &mut dyn Write) -> Result<()> {
-    match (&found.reason, found.clauses) {
-        (None, Some(clauses)) => {
+    if let Some(reason) = &found.reason {
+        writeln!(out, "{}: not proved for every number of agents: {reason}", system.title)?;
+    }
+    if let Some(clauses) = found.clauses {
+        let claims = if found.proved {
             writeln!(out, "{}: every number of agents from 3 on", system.title)?;
-            writeln!(out, "  proved: the claims hold at every step from every assumed start")?;
-            writeln!(
-                out,
-                "  {}: by induction over the steps, with cases over the agents; {clauses} clause{} in the \
-                 invariant",
-                Evidence::Certified,
-                if clauses == 1 { "" } else { "s" }
-            )?;
-        }
-        (reason, _) => writeln!(
+            "the claims hold".to_owned()
+        } else {
+            let texts: Vec<String> = found.claims.iter().map(|c| format!("`{c}`")).collect();
+            format!("for every number of agents from 3 on, {}", texts.join(", "))
+        };
+        writeln!(out, "  proved: {claims} at every step from every assumed start")?;
+        writeln!(
             out,
-            "{}: not proved for every number of agents: {}",
-            system.title,
-            reason.as_deref().unwrap_or("")
-        )?,
+            "  {}: by induction over the steps, with cases over the agents; {clauses} clause{} in the \
+             invariant",
+            Evidence::Certified,
+            if clauses == 1 { "" } else { "s" }
+        )?;
     }
     if let Some(file) = &found.file {
         writeln!(out, "  wrote {file}")?;
@@ -226,13 +249,13 @@ fn convergence(
 ) -> Result<(Outcome, Value)> {
     let (outcome, page, file) = if let Some(found) = converge::contraction(system)? {
         if text {
-            converges(&found, out)?;
+            converges(system, &found, out)?;
         }
         let file = written(args, folder, "-converges", &found.certificate)?;
         let rate = fraction(&found.rate);
         (
             Outcome::Holds,
-            json!({ "proved": true, "evidence": Evidence::Certified, "rate": rate }),
+            json!({ "proved": true, "evidence": Evidence::Certified, "rate": rate, "round": found.round }),
             file,
         )
     } else if let Some(found) = converge::grows(system)? {
@@ -243,7 +266,12 @@ fn convergence(
         let start: Vec<String> = found.start.iter().map(fraction).collect();
         (
             Outcome::Refuted,
-            json!({ "proved": false, "evidence": Evidence::Certified, "start": start }),
+            json!({
+                "proved": false,
+                "evidence": Evidence::Certified,
+                "start": start,
+                "word": choices_json(system, &found.word),
+            }),
             file,
         )
     } else {
@@ -319,25 +347,37 @@ fn proved(found: &Proved, file: Option<&str>, out: &mut dyn Write) -> Result<()>
     Ok(())
 }
 
-fn converges(found: &Contraction, out: &mut dyn Write) -> Result<()> {
-    let falls = match found.forms.len() {
-        1 => "a quadratic form of what has to vanish falls in every step, its root by",
-        _ => {
-            "quadratic forms of what has to vanish, one for each mode, fall in every step, their roots by"
-        }
+fn converges(system: &System, found: &Contraction, out: &mut dyn Write) -> Result<()> {
+    let (forms, roots) = match found.forms.len() {
+        1 => ("a quadratic form of what has to vanish falls", "its root"),
+        _ => ("quadratic forms of what has to vanish, one for each mode, fall", "their roots"),
     };
     writeln!(
         out,
-        "  converges: {falls} {} ({}) at least",
+        "  converges: {forms} in every {}, {roots} by {} ({}) at least",
+        round_text(found),
         fraction(&found.rate),
         decimal_string(&found.rate, 6)
     )?;
+    let pinned = pinned::texts(system);
+    let starts = match pinned.as_slice() {
+        [] => "every start".to_owned(),
+        all => format!("every start with {}", all.join(", ")),
+    };
     writeln!(
         out,
-        "  {}: from every start, whatever the parameters are in their ranges, the same in all steps or not",
+        "  {}: from {starts}, whatever the parameters are in their ranges, the same in all steps or not",
         Evidence::Certified
     )?;
     Ok(())
+}
+
+/// `step`, or `round of 2 steps` of modes in turn.
+pub(super) fn round_text(found: &Contraction) -> String {
+    match found.round {
+        1 => "step".to_owned(),
+        n => format!("round of {n} steps"),
+    }
 }
 
 fn does_not_converge(system: &System, found: &Growth, out: &mut dyn Write) -> Result<()> {
@@ -346,6 +386,10 @@ fn does_not_converge(system: &System, found: &Growth, out: &mut dyn Write) -> Re
         "  does not converge{}: a quadratic form that is positive at the start never falls",
         constants_text(system, &found.values)
     )?;
+    if !system.is_deterministic() {
+        let steps: Vec<String> = found.word.iter().map(|c| choice_text(system, c)).collect();
+        writeln!(out, "  with these steps, over and over: {}", steps.join("; "))?;
+    }
     writeln!(out, "  {}: start {}", Evidence::Certified, list(&found.start))?;
     Ok(())
 }

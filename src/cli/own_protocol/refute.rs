@@ -14,6 +14,7 @@ use cordon_core::table::lines;
 use cordon_core::{Error, Evidence, Outcome, Rational, Result};
 use cordon_proof::certificate;
 use cordon_proof::claims::certificate::counterexample as sealed;
+use cordon_proof::claims::search::Choice;
 use cordon_proof::claims::{self, MOST_COMBINATIONS, Run};
 use cordon_proof::counterexample::list;
 
@@ -179,16 +180,29 @@ fn rows(system: &System, run: &Run) -> Vec<Vec<String>> {
             .and_then(|before| run.choices.get(before))
             .filter(|_| has_choices(system))
         {
-            let mode = system.modes.get(choice.mode).filter(|_| system.modes.len() > 1);
-            let varying = varying(system, &choice.values)
-                .map(|(p, v)| format!("{} = {}", p.name, fraction(v)));
-            let words: Vec<String> =
-                mode.map(|m| m.name.clone()).into_iter().chain(varying).collect();
-            row.push(words.join(", "));
+            row.push(choice_text(system, choice));
         }
         rows.push(row);
     }
     rows
+}
+
+/// What is chosen in a step: `up, link0with1 = 0`.
+pub(super) fn choice_text(system: &System, choice: &Choice) -> String {
+    let mode = system.modes.get(choice.mode).filter(|_| system.modes.len() > 1);
+    let varying =
+        varying(system, &choice.values).map(|(p, v)| format!("{} = {}", p.name, fraction(v)));
+    mode.map(|m| m.name.clone()).into_iter().chain(varying).collect::<Vec<_>>().join(", ")
+}
+
+/// What is chosen in steps, for programs.
+pub(super) fn choices_json(system: &System, choices: &[Choice]) -> Vec<Value> {
+    let step = |c: &Choice| {
+        let values: serde_json::Map<_, _> =
+            varying(system, &c.values).map(|(p, v)| (p.name.clone(), json!(fraction(v)))).collect();
+        json!({ "mode": system.modes.get(c.mode).map(|m| &m.name), "values": values })
+    };
+    choices.iter().map(step).collect()
 }
 
 /// The parameters that may differ from step to step, with their values.
@@ -247,21 +261,13 @@ pub fn as_json(args: &ProtocolArgs, system: &System, run: &Run) -> Value {
     let constant = |(p, _): &(&Parameter, &Rational)| p.kind == ParameterKind::Constant;
     let constants: serde_json::Map<_, _> =
         system.parameters.iter().zip(&run.values).filter(constant).map(named).collect();
-    let choices: Vec<Value> = run
-        .choices
-        .iter()
-        .map(|c| {
-            let values: serde_json::Map<_, _> = varying(system, &c.values).map(named).collect();
-            json!({ "mode": system.modes.get(c.mode).map(|m| &m.name), "values": values })
-        })
-        .collect();
     json!({
         "constants": constants,
         "step": run.step,
         "claim": claim_text(system, run),
         "state": system.state,
         "run": states,
-        "choices": choices,
+        "choices": choices_json(system, &run.choices),
         "replay": replay_line(args, system, run),
     })
 }

@@ -5,6 +5,7 @@ use std::io::Write;
 use serde_json::json;
 
 use super::assumed;
+use super::prove::round_text;
 use super::show::{head, headline};
 use crate::cli::select::OutputFormat;
 use cordon_core::exact::{decimal_string, fraction};
@@ -48,10 +49,11 @@ pub fn settle(
                     )?;
                     writeln!(
                         out,
-                        "  {}: a quadratic form falls by {} ({}) in every step; the true step may be earlier",
+                        "  {}: a quadratic form falls by {} ({}) in every {}; the true step may be earlier",
                         Evidence::Certified,
                         fraction(&c.rate),
-                        decimal_string(&c.rate, 6)
+                        decimal_string(&c.rate, 6),
+                        round_text(c)
                     )?;
                 }
                 (Some(_), None) => writeln!(
@@ -71,6 +73,7 @@ pub fn settle(
                     "starts": if start.is_some() { "given" } else { "every" },
                     "step": step,
                     "rate": found.as_ref().map(|c| fraction(&c.rate)),
+                    "round": found.as_ref().map(|c| c.round),
                 }),
             );
             writeln!(out, "{:#}", json!(page))?;

@@ -107,23 +107,33 @@ fn when(claim: &Claim) -> String {
 fn known(args: &ProtocolArgs, file: &ProtocolFile, system: &System) -> Result<Vec<Known>> {
     let written = system.written_claims();
     let mut all = Vec::new();
-    let for_every = match args.family(file)? {
-        Some(family) if !written.is_empty() => prove::every_number(args, family, None)?.proved,
-        _ => false,
-    };
     // What is proved of N >= 3 leaves smaller numbers.
+    let for_every = match args.family(file)? {
+        Some(family) if !written.is_empty() && system.agents >= 3 => {
+            prove::every_number(args, family, None)?.claims
+        }
+        _ => Vec::new(),
+    };
     let together = || -> Result<bool> {
         match claims::prove_within(system, &claims::PROOF) {
             Ok(found) => Ok(prove::certified(&found)?.is_ok()),
             Err(_) => Ok(false),
         }
     };
-    if for_every && system.agents >= 3 {
-        all.extend(written.iter().map(|_| Known::EveryNumber));
-    } else if !written.is_empty() && together()? {
-        all.extend(written.iter().map(|_| Known::Certified));
+    let is_for_every = |claim: &str| for_every.iter().any(|c| c == claim);
+    let is_left = written.iter().any(|(claim, _)| !is_for_every(claim));
+    if !is_left || together()? {
+        let known = |claim: &str| match is_for_every(claim) {
+            true => Known::EveryNumber,
+            false => Known::Certified,
+        };
+        all.extend(written.iter().map(|(claim, _)| known(claim)));
     } else {
-        for (_, places) in &written {
+        for (claim, places) in &written {
+            if is_for_every(claim) {
+                all.push(Known::EveryNumber);
+                continue;
+            }
             let mut one = system.clone();
             one.claims = places.iter().filter_map(|&j| system.claims.get(j).cloned()).collect();
             let proved = match claims::prove_within(&one, &claims::PROOF) {

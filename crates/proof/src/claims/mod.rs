@@ -5,12 +5,14 @@ mod bounds;
 pub mod certificate;
 pub mod converge;
 pub(crate) mod doubles;
+pub mod pinned;
 pub mod readouts;
 mod refute;
 pub mod search;
 pub mod settle;
 pub mod sweep;
 pub mod threshold;
+mod words;
 
 pub use refute::{MOST_COMBINATIONS, Run, Sought, WORK, constants, follow, refute, sought};
 

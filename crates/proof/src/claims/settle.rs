@@ -1,6 +1,6 @@
 //! From which step on a system is near where it converges to, by its quadratic form.
 //!
-//! `|y^k|^2 <= rate^(2k) * y0'P y0 / floor`, where `P - floor * 1` is positive definite.
+//! `|y^k|^2 <= rate^(2k) * y0'P y0 / floor` after k rounds, where `P - floor * 1` is positive definite.
 
 use num_traits::{One, Signed, Zero};
 
@@ -45,11 +45,13 @@ pub fn settles(
     // Whichever mode acts first, and whichever would act in the end.
     let measured = by.forms.iter().map(value).max()?;
     let floors = by.forms.iter().map(|form| floor(form)).collect::<Option<Vec<_>>>()?;
-    let wanted = within * within * floors.into_iter().min()?;
+    let within = within / &by.swing;
+    let wanted = &within * &within * floors.into_iter().min()?;
     if measured <= wanted {
         return Some(0);
     }
-    least_power_at_most(&(&by.rate * &by.rate), &(wanted / measured), Rounding::Up)
+    let rounds = least_power_at_most(&(&by.rate * &by.rate), &(wanted / measured), Rounding::Up)?;
+    rounds.checked_mul(by.round)
 }
 
 /// A number that the form is at least on every vector of length 1.

@@ -39,8 +39,18 @@ pub struct Family {
     pub given: Vec<String>,
     /// Literals assumed of the start, like `x(i) <= x(i+1)`: for every i for which there are such agents.
     pub start: Vec<String>,
-    /// Literals claimed of every step.
-    pub claims: Vec<String>,
+    /// What is claimed of every step.
+    pub claims: Vec<FamilyClaim>,
+}
+
+/// A claim about every number of agents.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FamilyClaim {
+    /// As it stands in the file.
+    pub text: String,
+    /// What it says: literals, one for each comparison of a chain; or why it is not said for every
+    /// number.
+    pub literals: std::result::Result<Vec<String>, String>,
 }
 
 /// Why a file says nothing for every number of agents at once, in words; or the family.
@@ -110,15 +120,20 @@ impl ProtocolFile {
         let about = About { variables, parameters, class: None, is_ring };
         let mut claims = Vec::new();
         for claim in &doc.claims {
-            let toml::Value::String(text) = claim.get_ref() else {
-                return Err(
-                    "claims about certain steps are decided for one number of agents".to_owned()
-                );
-            };
-            claims.extend(about.literals(text)?);
+            claims.push(match claim.get_ref() {
+                toml::Value::String(text) => {
+                    FamilyClaim { text: text.clone(), literals: about.literals(text) }
+                }
+                certain => FamilyClaim {
+                    text: certain.to_string(),
+                    literals: Err("claims about certain steps are decided for one number of \
+                                   agents"
+                        .to_owned()),
+                },
+            });
         }
         let start = match &doc.start {
-            None => claims.clone(),
+            None => claims.iter().flat_map(|c| c.literals.iter().flatten().cloned()).collect(),
             Some(list) => {
                 let mut starts = Vec::new();
                 for text in list {

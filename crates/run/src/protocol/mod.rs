@@ -19,7 +19,7 @@ use cordon_core::{Error, Result};
 
 use crate::scenario::document::document;
 use crate::scenario::file::Source;
-pub use classes::Family;
+pub use classes::{Family, FamilyClaim};
 pub use document::Agents;
 use document::{Document, with_present_keys};
 use rules::Unnamed;

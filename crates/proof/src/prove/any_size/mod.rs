@@ -13,12 +13,15 @@ use std::collections::BTreeMap;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Premises, Sign};
 use cordon_core::scalar::Polynomial;
+use cordon_core::simplex::Work;
 use cordon_core::system::expression::{add_term, or_zero};
 use cordon_core::{Error, Rational, Result, exact};
 use cordon_run::protocol::Family;
 use cordon_spec::Scalar;
 use num_traits::Zero;
 use serde_json::{Value, json};
+
+use crate::claims::search::End;
 
 use super::builder::{Sheet, absurd, cases, clause, induction, instance, positivity, split};
 use sums::{Fact, sum};
@@ -27,13 +30,18 @@ use text::{Literal, Place, Reader, Symbol, Symbols};
 /// The fact that says on which side of the middle of its range a parameter is.
 const HALF: &str = "half";
 
+/// Most work that the linear programs of a search may take.
+const WORK: u64 = 200_000_000;
+
 /// What was found.
 #[derive(Clone, Debug)]
 pub struct AnySize {
-    /// The certificate, with the claims as conclusions.
-    pub certificate: Value,
+    /// The certificate, with the claims that are proved as conclusions; none where no claim is.
+    pub certificate: Option<Value>,
     /// How many clauses make up the invariant, the claims among them.
     pub invariant: usize,
+    /// The claims that are not proved, by their places, with the reason.
+    pub open: Vec<(usize, String)>,
 }
 
 /// A literal about agents, at every step: known, assumed of the start, or to be proved.
@@ -55,16 +63,18 @@ enum Case {
     Any,
 }
 
-/// A certificate for every N, if the strategy finds one. None does not mean that a claim is false.
+/// A certificate for every N of the claims for which the strategy finds one. That it finds none does not
+/// mean that a claim is false.
 ///
 /// # Errors
-/// An expression that is none, or speaks of agents or powers that the strategy has no cases for.
-pub fn any_size(family: &Family) -> Result<Option<AnySize>> {
+/// A rule or an assumption is no expression, or speaks of agents or powers that the strategy has no cases
+/// for.
+pub fn any_size(family: &Family) -> Result<AnySize> {
     let symbols = Symbols::default();
     let known = |name: &str| family.parameters.contains_key(name);
     let reader = Reader { symbols: &symbols, state: &family.state, constants: &known };
-    let clauses = |prefix: &str, texts: &[String]| -> Result<Vec<Clause>> {
-        let named = texts.iter().enumerate().map(|(j, t)| (format!("{prefix}{j}"), t));
+    let clauses = |prefix: &str, from: usize, texts: &[String]| -> Result<Vec<Clause>> {
+        let named = (from..).zip(texts).map(|(j, t)| (format!("{prefix}{j}"), t));
         named.map(|(name, t)| read_clause(&reader, name, t)).collect()
     };
     let mut rules = BTreeMap::new();
@@ -73,9 +83,17 @@ pub fn any_size(family: &Family) -> Result<Option<AnySize>> {
             rules.insert((class.as_str(), variable.as_str()), reader.polynomial(text)?);
         }
     }
-    let starts = clauses("S", &family.start)?;
-    let claims = clauses("C", &family.claims)?;
-    let mut candidates = claims.clone();
+    let starts = clauses("S", 0, &family.start)?;
+    let mut count = 0;
+    let mut claims: Vec<std::result::Result<Vec<Clause>, String>> = Vec::new();
+    for claim in &family.claims {
+        claims.push(claim.literals.clone().and_then(|literals| {
+            let read = clauses("C", count, &literals).map_err(|e| e.to_string())?;
+            count += read.len();
+            Ok(read)
+        }));
+    }
+    let mut candidates: Vec<Clause> = claims.iter().flatten().flatten().cloned().collect();
     for s in &starts {
         if !candidates.iter().any(|c| c.literal == s.literal && c.reach == s.reach) {
             candidates.push(s.clone());
@@ -117,6 +135,7 @@ pub fn any_size(family: &Family) -> Result<Option<AnySize>> {
         starts,
         about_constants,
         degree,
+        work: Work::limited(WORK),
         proved: Vec::new(),
     };
     // Claims that rest on others wait for them.
@@ -137,18 +156,43 @@ pub fn any_size(family: &Family) -> Result<Option<AnySize>> {
             break;
         }
     }
-    for claim in &claims {
+    let lemma = |claim: &Clause| {
         let same = |l: &&Clause| l.literal == claim.literal && l.reach == claim.reach;
-        let Some(lemma) = search.proved.iter().find(same) else { return Ok(None) };
-        let (with, given) = match claim.reach {
-            Some(_) => ("k=k, i=i", "k=[k], i=[i], u=[u]"),
-            None => ("k=k", "k=[k]"),
-        };
-        let proof = positivity(&[instance("c", &lemma.name, with, given)], "[c]");
-        sheet.conclude(claim.written(&symbols, "k", true), proof);
+        search.proved.iter().find(same)
+    };
+    let none = || {
+        let why = if search.work.left() == 0 { End::Work.to_string() } else { NO_INDUCTION.into() };
+        Err(why)
+    };
+    let mut open = Vec::new();
+    for (place, claim) in claims.into_iter().enumerate() {
+        let with_lemma = |c: Clause| lemma(&c).map(|lemma| (c, lemma));
+        let found = claim.and_then(|own| {
+            own.into_iter().map(with_lemma).collect::<Option<Vec<_>>>().map_or_else(none, Ok)
+        });
+        match found {
+            Err(why) => open.push((place, why)),
+            Ok(found) => {
+                for (claim, lemma) in found {
+                    let (with, given) = match claim.reach {
+                        Some(_) => ("k=k, i=i", "k=[k], i=[i], u=[u]"),
+                        None => ("k=k", "k=[k]"),
+                    };
+                    let proof = positivity(&[instance("c", &lemma.name, with, given)], "[c]");
+                    sheet.conclude(claim.written(&symbols, "k", true), proof);
+                }
+            }
+        }
     }
-    Ok(Some(AnySize { certificate: sheet.certificate(), invariant: search.proved.len() }))
+    Ok(AnySize {
+        certificate: (open.len() < family.claims.len()).then(|| sheet.certificate()),
+        invariant: search.proved.len(),
+        open,
+    })
 }
+
+/// Why a claim is open that was tried to the end.
+const NO_INDUCTION: &str = "no induction over the steps was found";
 
 /// The power of the constants together.
 fn degree(symbols: &Symbols, p: &Polynomial) -> usize {
@@ -269,6 +313,7 @@ struct Search<'f> {
     starts: Vec<Clause>,
     about_constants: Vec<Fact>,
     degree: usize,
+    work: Work,
     proved: Vec<Clause>,
 }
 
@@ -571,7 +616,7 @@ impl Search<'_> {
     ) -> Option<Value> {
         let facts: Vec<Fact> = found.iter().map(|(_, f)| f.clone()).collect();
         let proof = |about: &[Fact]| {
-            let (text, names) = sum(goal, &facts, about, self.degree)?;
+            let (text, names) = sum(goal, &facts, about, self.degree, &self.work)?;
             let needed =
                 found.iter().filter(|(_, f)| names.contains(&f.name)).map(|(v, _)| v.clone());
             let all: Vec<Value> = used.iter().cloned().chain(needed).collect();

@@ -7,6 +7,7 @@ use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Premises, Sign};
 use cordon_core::scalar::{Monomial, Polynomial};
+use cordon_core::simplex::Work;
 use cordon_core::system::expression::{add_term, or_zero};
 
 /// Something known, by the name that it has in a sum.
@@ -17,12 +18,14 @@ pub struct Fact {
 }
 
 /// The goal as a sum of facts, of facts times a constant's facts, and of a number; as text, with the
-/// facts that it uses. `degree` is how many facts about constants a product may have.
+/// facts that it uses. `degree` is how many facts about constants a product may have. `None` too where
+/// that takes more work than may be done.
 pub fn sum(
     goal: &Literal,
     facts: &[Fact],
     about_constants: &[Fact],
     degree: usize,
+    work: &Work,
 ) -> Option<(String, Vec<String>)> {
     let one = || Literal { poly: Polynomial::constant(Rational::one()), sign: Sign::Positive };
     let mut powers = vec![(Vec::new(), one())];
@@ -62,7 +65,7 @@ pub fn sum(
         Constraint { form, sign: l.sign }
     };
     let given: Vec<Constraint> = products.iter().map(|(_, l)| linear(l)).collect();
-    let multipliers = Premises::new(&given)?.multipliers(&linear(goal))?;
+    let multipliers = Premises::new(&given)?.multipliers_within(&linear(goal), work)?;
     let (mut rest, mut text, mut used) = (goal.poly.clone(), String::new(), Vec::new());
     for (m, (names, l)) in multipliers.iter().zip(&products).filter(|(m, _)| !m.is_zero()) {
         let factors: Vec<String> = names.iter().map(|n| format!("[{n}]")).collect();

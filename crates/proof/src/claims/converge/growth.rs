@@ -1,0 +1,303 @@
+//! Forms that never fall: no convergence. One grows, or is kept exactly, since a combination w of what has
+//! to vanish is kept, changes its sign, or turns.
+
+use num_traits::{One, Signed, ToPrimitive, Zero};
+use serde_json::Value;
+
+use super::{Quotient, full, texts};
+use crate::certificate;
+use crate::claims::bounds::extreme;
+use crate::claims::doubles::{Matrix, largest};
+use crate::claims::pinned::with_pinned;
+use crate::claims::readouts::{self, Readouts};
+use crate::claims::search::Choice;
+use crate::claims::words::{as_one_step, that_may_not_vanish};
+use crate::claims::{PROOF, constants};
+use cordon_core::exact::fraction;
+use cordon_core::linear::affine::Affine;
+use cordon_core::linear::feasible::{Constraint, point_within};
+use cordon_core::linear::matrix;
+use cordon_core::linear::simplest::{fractions_within, strictly_between};
+use cordon_core::simplex::Work;
+use cordon_core::system::System;
+use cordon_core::{Rational, Result};
+
+/// Most words of choices for which a form is searched, for each choice of the constants.
+const MOST_TRIED: usize = 64;
+
+/// A start from which some system in the ranges does not converge, with its constants, what is chosen
+/// over and over, and the certificate; constants are tried at the ends of their ranges.
+///
+/// # Errors
+/// The checker rejects what was found.
+pub fn grows(system: &System) -> Result<Option<Growth>> {
+    let system = &with_pinned(system)?;
+    for values in constants(system, 1).unwrap_or_default() {
+        for word in that_may_not_vanish(system, &values)?.into_iter().take(MOST_TRIED) {
+            if let Some((start, certificate)) = growth(&as_one_step(system, &word)?)? {
+                return Ok(Some(Growth { values, word, start, certificate }));
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// A start from which a system does not converge.
+#[derive(Clone, Debug)]
+pub struct Growth {
+    /// The values of the parameters.
+    pub values: Vec<Rational>,
+    /// The steps that the run repeats for ever.
+    pub word: Vec<Choice>,
+    /// The whole state at the start.
+    pub start: Vec<Rational>,
+    /// The certificate, accepted by the checker.
+    pub certificate: Value,
+}
+
+/// A certificate that a system without choice does not converge from some assumed start: a form that
+/// never falls. `None` where none is found.
+///
+/// # Errors
+/// The checker rejects what was found.
+fn growth(system: &System) -> Result<Option<(Vec<Rational>, Value)>> {
+    let Some(quotient) = Quotient::of(system) else { return Ok(None) };
+    let (maps, doubles) = (&quotient.maps, quotient.doubles());
+    let ([(_, exact)], [(_, map)]) = (maps.as_slice(), doubles.as_slice()) else {
+        return Ok(None);
+    };
+    if map.len() > LARGEST_STEIN {
+        return Ok(None);
+    }
+    let growing = stein(map).and_then(|form| {
+        let direction = positive_direction(&form)?;
+        Some((full(&rounded(&form)?), direction.iter().map(short).collect::<Option<Vec<_>>>()?))
+    });
+    for (form, direction) in growing.into_iter().chain(kept(exact)) {
+        let Some(start) = positive_start(system, &quotient.readouts, &form, &direction) else {
+            continue;
+        };
+        let Some(mut certificate) = quotient.certificate(system) else { return Ok(None) };
+        let lower: Vec<Vec<Rational>> =
+            form.iter().enumerate().map(|(i, row)| row[..=i].to_vec()).collect();
+        certificate.matrix = Some(texts(&lower));
+        certificate.start = Some(start.iter().map(fraction).collect());
+        let certificate = certificate.certificate();
+        match certificate::judged(&certificate) {
+            Ok(_) => return Ok(Some((start, certificate))),
+            Err(cordon_core::Error::Rejected(_) | cordon_core::Error::Input(_)) => {}
+            Err(e) => return Err(e),
+        }
+    }
+    Ok(None)
+}
+
+/// The lower triangle, rounded to 30 bits.
+fn rounded(form: &Matrix) -> Option<Vec<Vec<Rational>>> {
+    let unit = Rational::new(One::one(), (1u64 << 30).into());
+    let entry = |x: &f64| {
+        let steps = (x * f64::from(1u32 << 30)).round();
+        Some(&unit * Rational::from_integer(steps.to_i64()?.into()))
+    };
+    form.iter().enumerate().map(|(i, row)| row.iter().take(i + 1).map(entry).collect()).collect()
+}
+
+/// The simplest fraction within a millionth.
+fn short(x: &f64) -> Option<Rational> {
+    let x = Rational::from_float((x * 1e6).round() / 1e6)?;
+    let millionth = Rational::new(1.into(), 1_000_000.into());
+    strictly_between(&(&x - &millionth), &(&x + &millionth))
+}
+
+/// Forms that the step keeps exactly, each with a direction in which it is positive: from combinations w
+/// of what has to vanish with wA = w or wA = -w, and from those that turn, wAA - 2c wA + w = 0 with c a
+/// simple fraction between -1 and 1.
+fn kept(map: &[Vec<Rational>]) -> impl Iterator<Item = (Vec<Vec<Rational>>, Vec<Rational>)> {
+    let map = map.to_vec();
+    let one = Rational::one();
+    let cosines = fractions_within(&-&one, &one, MOST_TURNS);
+    cosines.into_iter().flat_map(move |c| {
+        let n = map.len();
+        let unit = matrix::unit(n);
+        let straight = c.abs().is_one();
+        // A - c, or A^2 - 2cA + 1.
+        let square = matrix::product(&map, &map);
+        let two = Rational::from_integer(2.into());
+        let entry = |i: usize, j: usize| match straight {
+            true => &map[i][j] - &c * &unit[i][j],
+            false => &square[i][j] - &two * &c * &map[i][j] + &unit[i][j],
+        };
+        let zero: Vec<Vec<Rational>> =
+            (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
+        let map = map.clone();
+        left_kernel(&zero).into_iter().map(move |w| {
+            let turned = matrix::before(&w, &map);
+            let product = |a: &[Rational], b: &[Rational], i: usize, j: usize| &a[i] * &b[j];
+            let entry = |i: usize, j: usize| match straight {
+                true => product(&w, &w, i, j),
+                false => {
+                    let mixed = product(&w, &turned, i, j) + product(&turned, &w, i, j);
+                    product(&w, &w, i, j) + product(&turned, &turned, i, j) - &c * mixed
+                }
+            };
+            let form = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
+            (form, w)
+        })
+    })
+}
+
+/// Largest denominator of the cosine of a turn.
+const MOST_TURNS: u32 = 5;
+
+/// A basis of the w with w a = 0.
+fn left_kernel(a: &[Vec<Rational>]) -> Vec<Vec<Rational>> {
+    // The rows beside the identity, reduced: where a row vanishes, what stands beside it is such a w.
+    let n = a.len();
+    let mut rows: Vec<(Vec<Rational>, Vec<Rational>)> =
+        a.iter().cloned().zip(matrix::unit(n)).collect();
+    let mut done = 0;
+    for column in 0..n {
+        let Some(pivot) = (done..n).find(|&i| !rows[i].0[column].is_zero()) else { continue };
+        rows.swap(done, pivot);
+        let (pivot, beside) = rows[done].clone();
+        for (row, combination) in rows.iter_mut().skip(done + 1) {
+            let factor = &row[column] / &pivot[column];
+            if !factor.is_zero() {
+                row.iter_mut().zip(&pivot).for_each(|(x, p)| *x -= &factor * p);
+                combination.iter_mut().zip(&beside).for_each(|(x, p)| *x -= &factor * p);
+            }
+        }
+        done += 1;
+    }
+    rows.into_iter().skip(done).map(|(_, combination)| combination).collect()
+}
+
+/// An assumed start at which the form is positive: that direction itself, if it is assumed; else a start
+/// that lies as far along it as any.
+fn positive_start(
+    system: &System,
+    readouts: &Readouts,
+    form: &[Vec<Rational>],
+    direction: &[Rational],
+) -> Option<Vec<Rational>> {
+    let starts = system.start_constraints();
+    let is_positive = |state: &Vec<Rational>| {
+        let met = |c: &Constraint| c.form.at(state).is_some_and(|v| c.sign.met_by(&v));
+        readouts.at(state).is_some_and(|y| {
+            let value = form.iter().zip(&y).map(|(row, a)| a * matrix::dot(row, &y));
+            value.fold(Rational::zero(), |sum, t| sum + t).is_positive()
+        }) && starts.iter().all(met)
+    };
+    let mut along = vec![Rational::zero(); system.state.len()];
+    for ((j, reference), y) in readouts.all.iter().zip(direction) {
+        if let Some(slot) = along.get_mut(*j) {
+            *slot = match reference {
+                readouts::Reference::Target(t) => t + y,
+                readouts::Reference::Agent(_) => y.clone(),
+            };
+        }
+    }
+    if is_positive(&along) {
+        return Some(along);
+    }
+    // The slope of the form there, as a form of the state.
+    let slope = form.iter().map(|row| matrix::dot(row, direction));
+    let far = readouts
+        .forms()
+        .into_iter()
+        .zip(slope)
+        .fold(Affine::constant(Rational::zero()), |sum, (readout, factor)| {
+            sum + &(readout * &Affine::constant(factor))
+        });
+    let work = Work::limited(PROOF.work);
+    let inside = point_within(system.state.len(), &starts, &work)?;
+    let near = Rational::new(1.into(), 64.into());
+    for side in [far.clone(), Affine::constant(Rational::zero()) - &far] {
+        // Strict bounds are not met at the end itself.
+        let Some(end) = extreme(&side, &starts, system.state.len(), &work) else { continue };
+        let between = |near: &Rational| -> Vec<Rational> {
+            inside.iter().zip(&end).map(|(a, b)| b + (a - b) * near).collect()
+        };
+        let found = [Rational::zero(), near.clone()].iter().map(between).find(|s| is_positive(s));
+        if found.is_some() {
+            return found;
+        }
+    }
+    None
+}
+
+/// Most readouts of a system whose growth is searched: the equations have n(n+1)/2 unknowns.
+const LARGEST_STEIN: usize = 24;
+
+/// The solution P of A'PA - P = 1, by elimination over the entries of the lower triangle.
+fn stein(a: &Matrix) -> Option<Matrix> {
+    let n = a.len();
+    let place = |i: usize, j: usize| i.max(j) * (i.max(j) + 1) / 2 + i.min(j);
+    let unknowns = n * (n + 1) / 2;
+    let mut rows = Vec::with_capacity(unknowns);
+    for i in 0..n {
+        for j in 0..=i {
+            let mut row = vec![0.0; unknowns + 1];
+            for k in 0..n {
+                for l in 0..n {
+                    row[place(k, l)] += a[k][i] * a[l][j];
+                }
+            }
+            row[place(i, j)] -= 1.0;
+            row[unknowns] = if i == j { 1.0 } else { 0.0 };
+            rows.push(row);
+        }
+    }
+    for k in 0..unknowns {
+        let best = (k..unknowns).max_by(|&p, &q| rows[p][k].abs().total_cmp(&rows[q][k].abs()))?;
+        if rows[best][k].abs() < 1e-12 {
+            return None;
+        }
+        rows.swap(k, best);
+        let pivot = rows[k].clone();
+        for row in rows.iter_mut().skip(k + 1) {
+            let factor = row[k] / pivot[k];
+            if factor != 0.0 {
+                for (x, p) in row.iter_mut().zip(&pivot).skip(k) {
+                    *x -= factor * p;
+                }
+            }
+        }
+    }
+    let mut x = vec![0.0; unknowns];
+    for k in (0..unknowns).rev() {
+        let sum: f64 = (k + 1..unknowns).map(|j| rows[k][j] * x[j]).sum();
+        x[k] = (rows[k][unknowns] - sum) / rows[k][k];
+    }
+    // Scaled, so that rounding to a fixed unit loses nothing that matters.
+    let form: Matrix = (0..n).map(|i| (0..n).map(|j| x[place(i, j)]).collect()).collect();
+    let scale = largest(&form);
+    (scale.is_finite() && scale > 0.0)
+        .then(|| form.iter().map(|r| r.iter().map(|x| x / scale).collect()).collect())
+}
+
+/// A direction in which the form is positive: its greatest, by the power method on a shifted form.
+fn positive_direction(form: &Matrix) -> Option<Vec<f64>> {
+    let n = form.len();
+    let shift = n as f64 * largest(form);
+    let mut v: Vec<f64> = (0..n).map(|i| 1.0 + i as f64 / 7.0).collect();
+    for _ in 0..5_000 {
+        let mut next: Vec<f64> = form
+            .iter()
+            .zip(&v)
+            .map(|(row, own)| row.iter().zip(&v).map(|(a, x)| a * x).sum::<f64>() + shift * own)
+            .collect();
+        let norm = next.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        if norm == 0.0 {
+            return None;
+        }
+        next.iter_mut().for_each(|x| *x /= norm);
+        v = next;
+    }
+    let value: f64 = form
+        .iter()
+        .zip(&v)
+        .map(|(row, x)| x * row.iter().zip(&v).map(|(a, y)| a * y).sum::<f64>())
+        .sum();
+    (value > 0.0).then_some(v)
+}

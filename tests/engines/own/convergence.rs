@@ -1,0 +1,156 @@
+//! Where users' own protocols end, and critical values.
+
+use super::{is_valid, own, system};
+use crate::common::q;
+use cordon_core::Rational;
+use cordon_proof::claims::converge;
+use cordon_proof::claims::settle::settles;
+use cordon_proof::claims::threshold::{Property, critical};
+use num_traits::{Signed, Zero};
+
+#[test]
+fn critical_values_are_bracketed_from_both_sides() {
+    let mut ordering = own("coverage", Some(5));
+    ordering.parameters[0].high = q("1");
+    let (found, _) = critical(&ordering, 0, Property::Claims, 4).unwrap();
+    let found = found.unwrap();
+    assert!(found.holds <= q("1/2") && q("1/2") < found.fails && found.open.is_none());
+    assert!(&found.fails - &found.holds <= q("1/10000"));
+    // Convergence of coverage: N = 4 up to 2/3.
+    let mut limit = own("coverage", Some(4));
+    limit.parameters[0] = cordon_core::system::Parameter {
+        low: q("1/4"),
+        high: q("1"),
+        ..limit.parameters[0].clone()
+    };
+    let targets = (0..4).map(|i| Rational::new(i.into(), 3.into())).collect();
+    limit.converges = Some(cordon_core::system::Convergence::To(targets));
+    let (found, _) = critical(&limit, 0, Property::Convergence, 2).unwrap();
+    let found = found.unwrap();
+    assert!(found.holds < q("2/3") && q("2/3") <= found.fails, "{found:?}");
+    assert!(&found.fails - &found.holds <= q("1/100"), "{found:?}");
+}
+
+/// Two modes without a common form have one for each; a form for each settles as one does.
+#[test]
+fn modes_have_forms_of_their_own() {
+    let system = own("two-modes", None);
+    let found = converge::contraction(&system).unwrap().unwrap();
+    assert_eq!(found.forms.len(), 2);
+    assert!(found.certificate["certificate"]["quadratic"]["matrices"].get("second").is_some());
+    assert!(is_valid(&found.certificate));
+    let step = cordon_proof::claims::settle::settles(&system, &found, None, &q("1/10")).unwrap();
+    // Every word of modes as long as that ends within, from every corner of the box.
+    let maps: Vec<_> = system.modes.iter().map(|m| m.at(&[])).collect();
+    let mut largest = q("0");
+    let mut states: Vec<Vec<Rational>> =
+        [["1", "1"], ["1", "-1"]].map(|x| x.map(q).to_vec()).to_vec();
+    for _ in 0..step.min(14) {
+        states = states.iter().flat_map(|x| maps.iter().map(|m| m.apply(x))).collect();
+        largest = states.iter().flatten().map(num_traits::Signed::abs).max().unwrap();
+    }
+    assert!(step > 14 || largest <= q("1/10"), "{step} {largest}");
+    // Factors above 1: it does not converge any more.
+    let text = std::fs::read_to_string("scenarios/own/two-modes.toml").unwrap();
+    let fast = self::system(&text.replace("4/5", "6/5"));
+    assert!(converge::contraction(&fast).unwrap().is_none());
+}
+
+/// What a step keeps does not vanish: a start from which it is there does not converge, if such a start
+/// is assumed.
+#[test]
+fn what_is_kept_does_not_converge() {
+    let text = |rules: &str, start: &str| {
+        system(&format!(
+            "agents = 1\nstate = \"x, v\"\nstart = [{start}]\nconverges = \"target\"\ntarget = {{ x = \"0\", \
+             v = \"0\" }}\n[rules]\nall = {{ {rules} }}\n"
+        ))
+    };
+    let anywhere = "\"-1 <= x[i] <= 1\", \"-1 < v[i] < 1\"";
+    let mut shown = 0;
+    for (rules, start, fails) in [
+        // A Jordan block, a component that stays, one that changes its sign, a turn by a fourth of a turn
+        // and by one whose cosine is 3/5.
+        ("x = \"x + v\", v = \"v\"", anywhere, true),
+        ("x = \"x/2\", v = \"v\"", anywhere, true),
+        ("x = \"x/2\", v = \"x - v\"", anywhere, true),
+        ("x = \"-v\", v = \"x\"", anywhere, true),
+        ("x = \"3*x/5 - 4*v/5\", v = \"4*x/5 + 3*v/5\"", anywhere, true),
+        // What stays is 0 at every assumed start.
+        ("x = \"x/2\", v = \"v\"", "\"-1 <= x[i] <= 1\", \"v[i] = 0\"", false),
+        ("x = \"x/2\", v = \"v/3\"", anywhere, false),
+        ("x = \"2*x\", v = \"v/3\"", anywhere, true),
+        ("x = \"2*x\", v = \"v/3\"", "\"x[i] = 0\", \"-1 < v[i] < 1\"", false),
+    ] {
+        let system = text(rules, start);
+        let found = converge::grows(&system).unwrap();
+        assert_eq!(found.is_some(), fails, "{rules}, {start}");
+        if let Some(found) = found {
+            assert!(is_valid(&found.certificate), "{rules}");
+            assert!(system.starts.iter().all(|p| p.holds(&found.start)), "{rules}");
+            shown += 1;
+        }
+        assert!(!fails || converge::contraction(&system).unwrap().is_none());
+    }
+    assert_eq!(shown, 6);
+}
+
+/// Modes in turn converge a round at a time, where no mode alone does; acting at will they need not, and
+/// two stable modes in turn may grow.
+#[test]
+fn modes_in_turn_are_judged_by_the_round() {
+    let line = |switching: &str| {
+        system(&format!(
+            "agents = 5\ntopology = \"line\"\n{switching}start = [\"x0 = 0\", \"x4 = 1\", \"0 <= x[i] <= 1\"]\n\
+             converges = \"target\"\ntarget = \"i/(N - 1)\"\n[rules]\nall = \"x\"\n[modes.even]\n\
+             2 = \"(prev.x + next.x)/2\"\n[modes.odd]\n1 = \"(prev.x + next.x)/2\"\n\
+             3 = \"(prev.x + next.x)/2\"\n"
+        ))
+    };
+    let in_turn = line("switching = [\"even\", \"odd\"]\n");
+    let found = converge::contraction(&in_turn).unwrap().unwrap();
+    assert!(is_valid(&found.certificate));
+    assert_eq!((found.round, &found.rate < &q("3/4")), (2, true));
+    // The step that is promised, from the corner that is slowest; within a round too.
+    let start = [q("0"), q("1"), q("1"), q("1"), q("1")];
+    let within = q("1/100");
+    let step = settles(&in_turn, &found, Some(&start), &within).unwrap();
+    let last = usize::try_from(step).unwrap() + 3;
+    for state in &in_turn.run(&[], &start, last)[last - 3..] {
+        let far = (0..5).map(|i| (&state[i] - q(&format!("{i}/4"))).abs()).max().unwrap();
+        assert!(far <= within);
+    }
+    assert!(converge::grows(&in_turn).unwrap().is_none());
+
+    let at_will = converge::grows(&line("")).unwrap().unwrap();
+    assert!(is_valid(&at_will.certificate));
+    assert_eq!(at_will.word.len(), 1);
+}
+
+/// What may be chosen in every step is chosen so that nothing vanishes, if it can be: one way over and
+/// over, or several in turn.
+#[test]
+fn choices_may_keep_a_system_from_converging() {
+    let stable = system(
+        "agents = 1\nstate = \"x, v\"\nstart = [\"-1 <= x[i] <= 1\", \"-1 <= v[i] <= 1\"]\n\
+         converges = \"target\"\ntarget = { x = \"0\", v = \"0\" }\n[modes.a]\n\
+         all = { x = \"x/2 + 2*v\", v = \"v/2\" }\n[modes.b]\nall = { x = \"x/2\", v = \"2*x + v/2\" }\n",
+    );
+    let found = converge::grows(&stable).unwrap().unwrap();
+    assert!(is_valid(&found.certificate));
+    assert_eq!(found.word.iter().map(|c| c.mode).collect::<Vec<_>>(), [0, 1]);
+
+    // Each link may fail: nothing moves where all do. Some links alone would move the targets.
+    let lossy = |loss: &str| {
+        system(&format!(
+            "agents = 4\ntopology = \"line\"\nstart = [\"x0 = 0\", \"x3 = 1\", \"0 <= x[i] <= 1\"]\n\
+             converges = \"target\"\ntarget = \"i/(N - 1)\"\n[rules]\nfirst = \"x\"\n\
+             inner = \"x + sum(their.x - x)/3\"\nlast = \"x\"\n{loss}"
+        ))
+    };
+    let found = converge::grows(&lossy("[departures]\nloss = \"symmetric\"\n")).unwrap().unwrap();
+    assert!(is_valid(&found.certificate));
+    assert!(found.word.iter().flat_map(|c| &c.values).all(Zero::is_zero));
+    assert!(converge::grows(&lossy("")).unwrap().is_none());
+    assert!(converge::contraction(&lossy("")).unwrap().is_some());
+}

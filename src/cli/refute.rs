@@ -80,6 +80,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             steps: args.steps,
             start: args.start.as_deref().map(positions).transpose()?,
             file: args.out.clone(),
+            known: None,
         };
         return own_protocol::refute(&args.own, &system, &search, args.format, out);
     }

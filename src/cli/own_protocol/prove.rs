@@ -15,7 +15,7 @@ use cordon_core::{Error, Evidence, Outcome, Result};
 use cordon_proof::certificate;
 use cordon_proof::claims::certificate::certificate as sealed;
 use cordon_proof::claims::converge::{self, Contraction, Growth};
-use cordon_proof::claims::{self, Proved, pinned};
+use cordon_proof::claims::{self, Proved, Unproved, pinned};
 use cordon_proof::counterexample::list;
 use cordon_proof::prove::any_size::any_size;
 use cordon_run::protocol::{Family, ProtocolFile};
@@ -99,12 +99,16 @@ pub fn prove(
                 );
             }
             (found, certificate) => {
-                let search = search(args, folder);
+                let (known, reason) = match found {
+                    Ok(_) => (None, None),
+                    Err(Unproved::Fails(run)) => (Some(*run), None),
+                    Err(Unproved::Open(end)) => (None, Some(end.to_string())),
+                };
+                let search = Search { known, ..search(args, folder) };
                 let (ended, mut searched) = refuted_claims(args, system, &search, text, out)?;
                 if ended == Outcome::Inconclusive {
                     let beyond = certificate.and_then(std::result::Result::err);
-                    let reason = beyond.or_else(|| found.err().map(|end| end.to_string()));
-                    let reason = reason.unwrap_or_default();
+                    let reason = beyond.or(reason).unwrap_or_default();
                     if text {
                         writeln!(out, "  not proved: {reason}")?;
                     }

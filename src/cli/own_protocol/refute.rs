@@ -29,12 +29,14 @@ pub struct Search {
     pub start: Option<Vec<Rational>>,
     /// File for what is found, as a certificate.
     pub file: Option<PathBuf>,
+    /// A counterexample that is known already, for where the search ends before one.
+    pub known: Option<Run>,
 }
 
 impl Default for Search {
     /// What follows where no proof is found: constants with small denominators, some steps.
     fn default() -> Self {
-        Self { denominators: 8, steps: 8, start: None, file: None }
+        Self { denominators: 8, steps: 8, start: None, file: None, known: None }
     }
 }
 
@@ -96,6 +98,7 @@ pub fn refuted_claims(
     let constants = constants_of(system, search.denominators)?;
     let start = search.start.as_deref().map(|x| assumed(system, x)).transpose()?;
     let (found, complete) = claims::refute(system, &constants, start.as_deref(), search.steps);
+    let found = found.or_else(|| search.known.clone());
     let file = match (&found, &search.file) {
         (Some(run), Some(file)) => Some(written(system, run, file)?),
         _ => None,

@@ -10,7 +10,7 @@ use super::{ProtocolArgs, prove};
 use crate::cli::select::OutputFormat;
 use cordon_core::system::{Claim, Convergence, System};
 use cordon_core::{Evidence, Outcome, Result};
-use cordon_proof::claims::{self, Run, converge};
+use cordon_proof::claims::{self, Run, Unproved, converge};
 use cordon_run::protocol::ProtocolFile;
 
 /// What is known of a claim.
@@ -136,9 +136,10 @@ fn known(args: &ProtocolArgs, file: &ProtocolFile, system: &System) -> Result<Ve
             }
             let mut one = system.clone();
             one.claims = places.iter().filter_map(|&j| system.claims.get(j).cloned()).collect();
-            let proved = match claims::prove_within(&one, &claims::PROOF) {
-                Ok(found) => prove::certified(&found)?.is_ok(),
-                Err(_) => false,
+            let (proved, failure) = match claims::prove_within(&one, &claims::PROOF) {
+                Ok(found) => (prove::certified(&found)?.is_ok(), None),
+                Err(Unproved::Fails(run)) => (false, Some(*run)),
+                Err(Unproved::Open(_)) => (false, None),
             };
             if proved {
                 all.push(Known::Certified);
@@ -146,12 +147,13 @@ fn known(args: &ProtocolArgs, file: &ProtocolFile, system: &System) -> Result<Ve
             }
             let search = Search::default();
             let constants = constants_of(&one, search.denominators)?;
-            all.push(match claims::refute(&one, &constants, None, search.steps) {
-                (Some(run), _) => {
+            let (found, complete) = claims::refute(&one, &constants, None, search.steps);
+            all.push(match found.or(failure) {
+                Some(run) => {
                     let claim = places.get(run.claim).copied().unwrap_or(0);
                     Known::Fails(Box::new(Run { claim, ..run }))
                 }
-                (None, complete) => Known::Open(Some(complete)),
+                None => Known::Open(Some(complete)),
             });
         }
     }

@@ -8,7 +8,7 @@ use cordon_core::system::System;
 use cordon_proof::claims::certificate::certificate;
 use cordon_proof::claims::search::{End, Limits};
 use cordon_proof::claims::threshold::with;
-use cordon_proof::claims::{PROOF, constants, converge, prove, prove_within, refute};
+use cordon_proof::claims::{PROOF, Unproved, constants, converge, prove, prove_within, refute};
 
 /// Every file with what has to come out; none is refuted where it is proved.
 #[test]
@@ -103,12 +103,16 @@ fn invariants_have_no_row_too_many() {
 fn searches_end_at_their_limits_and_say_at_which() {
     let rotation = own("rotation", None);
     let ended = |system: &System, limits: Limits| prove_within(system, &limits).unwrap_err();
-    assert_eq!(ended(&rotation, Limits { work: 100, ..PROOF }), End::Work);
-    assert_eq!(ended(&rotation, Limits { steps: 1, ..PROOF }), End::Steps);
-    assert_eq!(ended(&rotation, Limits { half_spaces: 1, ..PROOF }), End::HalfSpaces);
-    assert_eq!(ended(&own("hasty-coverage", None), PROOF), End::Varying);
+    assert_eq!(ended(&rotation, Limits { work: 100, ..PROOF }), Unproved::Open(End::Work));
+    assert_eq!(ended(&rotation, Limits { steps: 1, ..PROOF }), Unproved::Open(End::Steps));
+    assert_eq!(
+        ended(&rotation, Limits { half_spaces: 1, ..PROOF }),
+        Unproved::Open(End::HalfSpaces)
+    );
+    assert_eq!(ended(&own("hasty-coverage", None), PROOF), Unproved::Open(End::Varying));
     let fixed = with(&own("hasty-coverage", None), 0, &q("3/5"));
-    assert_eq!(ended(&fixed, PROOF), End::Failure);
+    let Unproved::Fails(run) = ended(&fixed, PROOF) else { panic!("a claim fails") };
+    assert_eq!(run.step, 1);
     assert!(prove_within(&rotation, &PROOF).is_ok());
 }
 

@@ -29,11 +29,15 @@ impl Int {
         !self.is_zero() && !self.is_positive()
     }
 
-    /// How many words of 64 bits it takes.
-    pub fn words(&self) -> u64 {
+    /// What making it costs, in machine operations on words or so: a big integer is allocated, and common
+    /// divisors are taken out of it, in time quadratic in its words.
+    pub fn work(&self) -> u64 {
         match self {
             Self::Small(_) => 1,
-            Self::Big(x) => x.bits().div_ceil(64),
+            Self::Big(x) => {
+                let words = x.bits().div_ceil(64);
+                words.saturating_mul(20 + 6 * words)
+            }
         }
     }
 

@@ -210,7 +210,7 @@ impl Tableau {
         let mut written = 0;
         for row in &mut self.rows {
             if row.eliminate(&pivot_row, entering) {
-                written += row.words();
+                written += row.work();
             }
         }
         self.rows[leaving] = pivot_row;

@@ -78,9 +78,9 @@ impl Row {
         }
     }
 
-    /// How many words its numbers have.
-    pub fn words(&self) -> u64 {
-        self.entries.iter().map(|(_, x)| x.words()).sum()
+    /// What making its numbers costs.
+    pub fn work(&self) -> u64 {
+        self.entries.iter().map(|(_, x)| x.work()).sum()
     }
 
     /// Adds the multiple of `pivot_row` that clears a column, where the pivot is positive; whether

@@ -45,6 +45,15 @@ pub struct Proved {
     pub proof: Proof,
 }
 
+/// Why there is no proof.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unproved {
+    /// A claim fails, in this run.
+    Fails(Box<Run>),
+    /// The search ended before.
+    Open(End),
+}
+
 /// A proof, if the search finds one: the claims hold in every run from every assumed start, for all
 /// values of the parameters. None does not mean that a claim is false.
 pub fn prove(system: &System) -> Option<Proved> {
@@ -55,16 +64,20 @@ pub fn prove(system: &System) -> Option<Proved> {
 /// the limits.
 ///
 /// # Errors
-/// There is none; the error is what ended the last search.
-pub fn prove_within(system: &System, limits: &Limits) -> Result<Proved, End> {
+/// There is none: a claim fails, or the last search ended.
+pub fn prove_within(system: &System, limits: &Limits) -> Result<Proved, Unproved> {
     let attempt = |system: &System, limits: &Limits| {
         let automaton = Automaton::of(system);
         let starts = system.start_constraints();
         let parameters = system.parameters.clone();
         match Search::new(system, &automaton, parameters, starts, limits).run() {
             Answer::Proved(proof) => Ok(Proved { system: system.clone(), proof }),
-            Answer::Refuted(..) => Err(End::Failure),
-            Answer::Open(_, end) => Err(end),
+            Answer::Refuted(start, choices) => {
+                let values = system.values(|p| p.low.clone());
+                let run = follow(system, &values, &start, choices).map(Box::new);
+                Err(run.map_or(Unproved::Open(End::Steps), Unproved::Fails))
+            }
+            Answer::Open(_, end) => Err(Unproved::Open(end)),
         }
     };
     // A first short attempt: pre-images of bounded claims are exhausted soon, others never.
@@ -74,7 +87,7 @@ pub fn prove_within(system: &System, limits: &Limits) -> Result<Proved, End> {
         work: limits.work / 4,
     };
     let first = attempt(system, &short);
-    if first.is_ok() || matches!(first, Err(End::Failure | End::Varying)) {
+    if first.is_ok() || matches!(first, Err(Unproved::Fails(_) | Unproved::Open(End::Varying))) {
         return first;
     }
     let bounded = bounds::bounded(system, &Work::limited(limits.work / 4));

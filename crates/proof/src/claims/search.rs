@@ -66,8 +66,6 @@ pub enum End {
     Choices,
     /// A claim that fails where constants differ from step to step; it may hold where they do not.
     Varying,
-    /// A claim that fails.
-    Failure,
 }
 
 impl fmt::Display for End {
@@ -82,7 +80,6 @@ impl fmt::Display for End {
                 "a claim fails where a constant takes another value in each step, which is how ranges \
                  are proved"
             }
-            Self::Failure => "a claim fails",
         })
     }
 }

@@ -44,8 +44,8 @@ fn usage(error: &clap::Error) -> ExitCode {
         .replace("cannot parse integer from empty string", "expected a whole number")
         .replace("number too large to fit in target type", "expected a smaller number")
         .replace("invalid float literal", "expected a number");
-    // Nothing is left to be done where the stream is closed.
-    let _ = if plain == text { error.print() } else { write!(Printable(io::stderr()), "{plain}") };
+    let printed =
+        if plain == text { error.print() } else { write!(Printable(io::stderr()), "{plain}") };
     let numbers: Vec<String> = std::env::args().filter(|a| a.starts_with("7.")).collect();
     if error.use_stderr() && numbers.len() > 1 {
         let _ = writeln!(
@@ -54,7 +54,11 @@ fn usage(error: &clap::Error) -> ExitCode {
             numbers.join(",")
         );
     }
-    if error.use_stderr() { ExitCode::from(2) } else { ExitCode::SUCCESS }
+    match printed {
+        _ if error.use_stderr() => ExitCode::from(2),
+        Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Error::Output(e).code().into(),
+        _ => ExitCode::SUCCESS,
+    }
 }
 
 /// Runs the command. What it says goes to stdout, or to stderr where a file goes to stdout.

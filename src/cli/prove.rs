@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::own_protocol;
 use super::select::OutputFormat;
-use cordon_core::{Error, Outcome, Result, files, progress, range};
+use cordon_core::{Error, Outcome, Result, files, progress, range, theorems};
 use cordon_proof::certificate;
 use cordon_proof::prove::{CLAIMS, Claim, Scope};
 use cordon_proof::refute;
@@ -55,8 +55,9 @@ pub enum FormChoice {
 
 /// Searches certificates, has each one checked, and writes them.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    if let Some(flow) = args.own.flow()? {
-        return own_protocol::prove_flow(&args.own, &flow, args.out.as_deref(), args.format, out);
+    if let Some((file, flow)) = args.own.flow()? {
+        let folder = args.out.as_deref();
+        return own_protocol::prove_flow(&args.own, &file, &flow, folder, args.format, out);
     }
     let own = args.own.system()?;
     if let Some(folder) = &args.out {
@@ -220,7 +221,8 @@ fn claims(args: &Args, narrowed: &Scope) -> Result<Vec<(&'static Claim, Form)>> 
     if let Some(name) = names.iter().find(|n| !known(n)) {
         let claims = CLAIMS.map(|c| c.name).join(", ");
         return Err(Error::input(format!(
-            "claim: `{name}` is unknown: expected `all` or some of {claims}"
+            "claim: `{name}` is unknown: expected `all` or some of {claims}{}",
+            theorems::instead_of(name)
         )));
     }
     // `all` has claims with one form only; who names such a claim is told.

@@ -68,7 +68,8 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let within = exact::parse("within", &args.within)?;
     if let Some((_, system)) = args.own.system()? {
         let start = args.start.as_deref().map(positions).transpose()?;
-        return own_protocol::settle(&system, start.as_deref(), &within, args.format, out);
+        let (start, folder) = (start.as_deref(), args.out.as_deref());
+        return own_protocol::settle(&args.own, &system, start, &within, folder, args.format, out);
     }
     let eps = exact::parse("eps", args.eps.as_deref().unwrap_or_default())?;
     let starts = match &args.start {

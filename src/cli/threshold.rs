@@ -100,6 +100,10 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         let folder = args.out.as_deref();
         return separation::run(&args.flight, args.digits, folder, args.format, out);
     }
+    let needs_file = || Err(Error::input("property: `claims`: expected --protocol with it"));
+    if args.property() == Property::Claims {
+        return needs_file();
+    }
     if args.drones.is_none() {
         return Err(Error::input("drones: expected --drones N, a number from 3 to 1000"));
     }
@@ -108,9 +112,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         Property::Ordering => keep(args, Cone::PositiveGaps, out),
         Property::Bound => keep(args, Cone::NonnegativeErrors, out),
         Property::Convergence => converge(args, out),
-        Property::Claims | Property::Separation => {
-            Err(Error::input("property: `claims`: expected --protocol with it"))
-        }
+        Property::Claims | Property::Separation => needs_file(),
     }
 }
 

@@ -28,14 +28,21 @@ pub fn named(list: &str) -> Result<Vec<Theorem>> {
         named.extend(found);
         if named.len() == before {
             return Err(Error::input(format!(
-                "theorem: `{number}` is unknown: expected `all` or some of {}",
-                numbers(&Theorem::ALL, ", ")
+                "theorem: `{number}` is unknown: expected `all` or some of {}{}",
+                numbers(&Theorem::ALL, ", "),
+                instead_of(number)
             )));
         }
     }
     named.sort_unstable();
     named.dedup();
     Ok(named)
+}
+
+/// What a name that is no theorem may have meant, to append to a message: a protocol file.
+pub fn instead_of(name: &str) -> &'static str {
+    let is_file = std::path::Path::new(name).extension().is_some_and(|e| e == "toml");
+    if is_file { "; a protocol file goes with --protocol" } else { "" }
 }
 
 /// A theorem in words; its hypothesis is data, in the spec.

@@ -109,6 +109,17 @@ impl FlightArgs {
         }
     }
 
+    /// Refuses some of these flags, by name.
+    ///
+    /// # Errors
+    /// One of them is given.
+    pub(in crate::cli) fn refuse(&self, flags: &[&str], why: &str) -> Result<()> {
+        match self.given().find(|flag| flags.contains(flag)) {
+            Some(flag) => Err(Error::input(format!("{flag}: expected none: {why}"))),
+            None => Ok(()),
+        }
+    }
+
     /// Where FMUs run.
     fn isolation(&self) -> Result<Isolation> {
         if self.in_process {

@@ -32,10 +32,10 @@ pub struct Args {
     #[command(flatten)]
     pub own: ProtocolArgs,
     /// Number of drones, or an inclusive range like 3..6, from 3 to 9
-    #[arg(long, value_name = "N", default_value = "3..6")]
+    #[arg(long, value_name = "N", default_value = "3..6", conflicts_with = "protocol")]
     pub drones: String,
     /// Which reading of the theorems
-    #[arg(long, value_enum, default_value_t = FormArg::Sharp)]
+    #[arg(long, value_enum, default_value_t = FormArg::Sharp, conflicts_with = "protocol")]
     pub form: FormArg,
     /// Weights instead of the theorem's: a range like `0..1/2` or `(1/2,1]`
     #[arg(long, value_name = "LO..HI", allow_hyphen_values = true)]

@@ -13,6 +13,7 @@ use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::system::{Flow, Switching};
 use cordon_core::{Evidence, Outcome, Result};
 use cordon_proof::flow::{self, Answer};
+use cordon_run::protocol::ProtocolFile;
 
 /// Proves the claims, or says that it cannot.
 ///
@@ -20,6 +21,7 @@ use cordon_proof::flow::{self, Answer};
 /// The system is beyond the search, or a certificate cannot be written.
 pub fn prove(
     args: &ProtocolArgs,
+    protocol: &ProtocolFile,
     flow: &Flow,
     folder: Option<&Path>,
     format: OutputFormat,
@@ -33,6 +35,12 @@ pub fn prove(
     match format {
         OutputFormat::Text => {
             writeln!(out, "{}{}", headline_in(&flow.system, "at each time"), switching(flow))?;
+            if protocol.is_family() && args.agents.is_none() {
+                writeln!(
+                    out,
+                    "  the fewest agents of the file: in continuous time --agents says which number is meant"
+                )?;
+            }
             match &found {
                 Answer::Proved(found) => {
                     let many = if found.ellipsoids == 1 { "" } else { "s" };

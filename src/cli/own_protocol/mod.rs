@@ -73,7 +73,7 @@ impl ProtocolArgs {
     ///
     /// # Errors
     /// As for [`system`](Self::system).
-    pub fn flow(&self) -> Result<Option<Flow>> {
+    pub fn flow(&self) -> Result<Option<(ProtocolFile, Flow)>> {
         let Some(path) = &self.protocol else { return Ok(None) };
         let file = read(path)?;
         if !file.is_continuous {
@@ -81,7 +81,7 @@ impl ProtocolArgs {
         }
         let mut flow = file.flow(self.agents.unwrap_or(file.agents.fewest()))?;
         self.narrow(&mut flow.system.parameters)?;
-        Ok(Some(flow))
+        Ok(Some((file, flow)))
     }
 
     /// The system of a file with so many agents.

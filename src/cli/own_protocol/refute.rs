@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::show::{constants_text, head, headline};
 use super::{ProtocolArgs, assumed};
 use crate::cli::select::OutputFormat;
-use cordon_core::exact::fraction;
+use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::system::{Parameter, ParameterKind, System};
 use cordon_core::table::lines;
 use cordon_core::{Error, Evidence, Outcome, Rational, Result};
@@ -146,7 +146,10 @@ fn refuted(args: &ProtocolArgs, system: &System, run: &Run, out: &mut dyn Write)
     }) {
         writeln!(out, "  {line}")?;
     }
-    writeln!(out, "  {}, exact", Evidence::ThisRunOnly)?;
+    match is_short(run) {
+        true => writeln!(out, "  {}, exact", Evidence::ThisRunOnly)?,
+        false => writeln!(out, "  {}, exact; shown rounded", Evidence::ThisRunOnly)?,
+    }
     writeln!(out, "  replay: {}", replay_line(args, system, run))?;
     Ok(())
 }
@@ -155,8 +158,19 @@ fn has_choices(system: &System) -> bool {
     !system.is_deterministic()
 }
 
+/// Decimal places of a run whose numbers are long.
+const DIGITS: usize = 6;
+
 /// Most states of a run in text.
 const MOST_ROWS: usize = 40;
+
+/// Most characters of a number in a run that is shown exactly.
+const MOST_CHARACTERS: usize = 16;
+
+/// Whether all of a run's numbers are short.
+fn is_short(run: &Run) -> bool {
+    run.states.iter().flatten().all(|x| fraction(x).len() <= MOST_CHARACTERS)
+}
 
 /// The run as a table: a line a step, with what was chosen in it.
 fn rows(system: &System, run: &Run) -> Vec<Vec<String>> {
@@ -166,6 +180,8 @@ fn rows(system: &System, run: &Run) -> Vec<Vec<String>> {
         head.push("by".to_owned());
     }
     let mut rows = vec![head];
+    let is_short = is_short(run);
+    let number = |x: &Rational| if is_short { fraction(x) } else { decimal_string(x, DIGITS) };
     for (k, state) in run.states.iter().enumerate() {
         let skipped = run.states.len() > MOST_ROWS
             && k >= MOST_ROWS / 2
@@ -177,7 +193,7 @@ fn rows(system: &System, run: &Run) -> Vec<Vec<String>> {
             continue;
         }
         let mut row: Vec<String> =
-            [k.to_string()].into_iter().chain(state.iter().map(fraction)).collect();
+            [k.to_string()].into_iter().chain(state.iter().map(number)).collect();
         if let Some(choice) = k
             .checked_sub(1)
             .and_then(|before| run.choices.get(before))

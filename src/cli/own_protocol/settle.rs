@@ -1,12 +1,13 @@
 //! From which step on a protocol of one's own is near where it converges to.
 
 use std::io::Write;
+use std::path::Path;
 
 use serde_json::json;
 
-use super::assumed;
-use super::prove::round_text;
+use super::prove::{round_text, written};
 use super::show::{head, headline};
+use super::{ProtocolArgs, assumed};
 use crate::cli::select::OutputFormat;
 use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::system::System;
@@ -19,9 +20,11 @@ use cordon_proof::claims::settle::settles;
 /// # Errors
 /// The file does not say where the system converges to; the distance is not positive.
 pub fn settle(
+    args: &ProtocolArgs,
     system: &System,
     start: Option<&[Rational]>,
     within: &Rational,
+    folder: Option<&Path>,
     format: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<Outcome> {
@@ -36,6 +39,10 @@ pub fn settle(
     let state = start.map(|x| assumed(system, x)).transpose()?;
     let found = converge::contraction(system)?;
     let step = found.as_ref().and_then(|c| settles(system, c, state.as_deref(), within));
+    let file = match &found {
+        Some(found) => written(args, folder, "-converges", &found.certificate)?,
+        None => None,
+    };
     match format {
         OutputFormat::Text => {
             writeln!(out, "{}", headline(system))?;
@@ -63,6 +70,9 @@ pub fn settle(
                 )?,
                 (None, _) => writeln!(out, "  no form that falls in every step was found")?,
             }
+            if let Some(file) = &file {
+                writeln!(out, "  wrote {file}")?;
+            }
         }
         OutputFormat::Json => {
             let mut page = head(system);
@@ -74,6 +84,7 @@ pub fn settle(
                     "step": step,
                     "rate": found.as_ref().map(|c| fraction(&c.rate)),
                     "round": found.as_ref().map(|c| c.round),
+                    "file": file,
                 }),
             );
             writeln!(out, "{:#}", json!(page))?;

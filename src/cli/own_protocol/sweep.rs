@@ -68,6 +68,7 @@ pub fn sweep(
         let run = run.map(|run| Run { claim: places.get(run.claim).copied().unwrap_or(0), ..run });
         rows.push(Row { text, run, steps });
     }
+    let is_vacuous = tried.as_ref().is_some_and(|t| t.starts == 0);
     let from = match &tried {
         Some(tried) => {
             let starts = if tried.starts == 1 { "start" } else { "starts" };
@@ -82,6 +83,11 @@ pub fn sweep(
     if text {
         for (row, number) in rows.iter().zip(1..) {
             match &row.run {
+                None if is_vacuous => writeln!(
+                    out,
+                    "  claim {number}, `{}`, is vacuous: no start on the grid meets the assumptions",
+                    row.text
+                )?,
                 Some(run) => {
                     let text = system.claims.get(run.claim).map_or("", |c| &c.predicate.text);
                     writeln!(
@@ -111,7 +117,7 @@ pub fn sweep(
         let row = |row: &Row<'_>| -> Value {
             json!({
                 "claim": row.text,
-                "holds": row.run.is_none(),
+                "holds": if is_vacuous { Value::Null } else { json!(row.run.is_none()) },
                 "steps": row.run.as_ref().map_or(row.steps, |run| run.step),
                 "evidence": if row.run.is_some() { Evidence::ThisRunOnly } else { evidence },
                 "counterexample": row.run.as_ref().map(|run| as_json(args, system, run)),
@@ -132,7 +138,7 @@ pub fn sweep(
     }
     let ended = |row: &Row<'_>| match &row.run {
         Some(_) => Outcome::Refuted,
-        None if row.steps < extent.steps => Outcome::Inconclusive,
+        None if is_vacuous || row.steps < extent.steps => Outcome::Inconclusive,
         None => Outcome::Holds,
     };
     Ok(rows.iter().map(ended).fold(Outcome::Holds, Outcome::worst))

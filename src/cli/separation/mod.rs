@@ -16,6 +16,7 @@ use super::scenario_args::ScenarioArgs;
 use super::select::OutputFormat;
 use cordon_core::{Error, Evidence, Outcome, Rational, Result, exact};
 use cordon_cosim::closed_loop::{ClosedLoop, Tuning};
+use cordon_cosim::coordination::Exchange;
 use cordon_cosim::cosimulation::Cosimulation;
 use cordon_proof::certificate;
 use cordon_proof::separation::desired::{Update, smallest_gap};
@@ -75,6 +76,7 @@ enum Flight {
 
 /// Certifies the smallest gap.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
+    args.flight.refuse(&["duration", "seed", "in-process", "step-limit"], "nothing is flown")?;
     let swarm = args.flight.swarm(&args.scenario)?;
     let wind = args.wind.as_deref().map(|w| exact::parse("wind", w)).transpose()?;
     if let Some(w) = wind.as_ref().filter(|w| w.is_negative()) {
@@ -103,7 +105,10 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
 /// response is never negative.
 pub(super) fn known_gap(swarm: &Cosimulation) -> Option<Rational> {
     let one_by_one = swarm.order.is_some();
-    if applies(swarm).is_err() || !gaps::kept(swarm.count(), &swarm.scenario.weight, one_by_one) {
+    if expect_exact(swarm).is_err()
+        || applies(swarm).is_err()
+        || !gaps::kept(swarm.count(), &swarm.scenario.weight, one_by_one)
+    {
         return None;
     }
     let response = response(&ClosedLoop::of(&tuning(swarm)).ok()?, false);
@@ -114,11 +119,11 @@ pub(super) fn known_gap(swarm: &Cosimulation) -> Option<Rational> {
 
 /// Refuses the rounded constants and positions of the recorded runs.
 fn expect_exact(swarm: &Cosimulation) -> Result<()> {
-    match swarm.recorded {
-        true => Err(Error::input(
-            "compat: `recorded`: expected none: what is certified has exact constants and positions",
-        )),
-        false => Ok(()),
+    let expected = "expected none: what is certified has exact constants and positions";
+    match (swarm.recorded, swarm.exchange) {
+        (true, _) => Err(Error::input(format!("compat: `recorded`: {expected}"))),
+        (false, Exchange::Exact) => Ok(()),
+        (false, _) => Err(Error::input(format!("exchange: `double`: {expected}"))),
     }
 }
 

@@ -19,8 +19,8 @@ use cordon_core::{Error, Rational, Result};
 /// Most starts on a grid.
 pub const MOST_STARTS: usize = 100_000;
 
-/// Most states of all runs together.
-pub const MOST_STATES: u64 = 2_000_000;
+/// Most images of states in all runs together: a state has one for each mode and corner that may act.
+pub const MOST_STEPS: u64 = 400_000;
 
 /// What fails from a start on the grid.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,7 +48,7 @@ pub struct Tried {
 /// steps 0 to `steps`.
 ///
 /// # Errors
-/// The start set has no bound, or there are more starts or states than [`MOST_STARTS`], [`MOST_STATES`].
+/// The start set has no bound, or there are more starts or steps than [`MOST_STARTS`], [`MOST_STEPS`].
 pub fn on_grid(
     system: &System,
     constants: &[Vec<Rational>],
@@ -57,18 +57,13 @@ pub fn on_grid(
 ) -> Result<Tried> {
     let starts = starts(system, parts)?;
     let mut tried = Tried { starts: starts.len(), states: 0, failures: BTreeMap::new() };
+    let mut left = MOST_STEPS;
     for values in constants {
         let maps = maps(system, values);
         for start in &starts {
             let mut states = BTreeSet::from([start.clone()]);
             for step in 0..=steps {
                 tried.states += states.len() as u64;
-                if tried.states > MOST_STATES {
-                    return Err(Error::input(format!(
-                        "grid: more than {MOST_STATES} states: expected a coarser grid, fewer steps or fewer \
-                         agents"
-                    )));
-                }
                 for (place, claim) in system.claims.iter().enumerate() {
                     let earlier = |f: &Failure| f.step <= step;
                     let known = tried.failures.get(&place).is_some_and(earlier);
@@ -90,8 +85,17 @@ pub fn on_grid(
                             .into_iter()
                             .collect::<Vec<_>>(),
                     };
-                    let acting = acting.iter().filter_map(|&m| maps.get(m)).flatten();
-                    states = acting.flat_map(|map| states.iter().map(|x| map.apply(x))).collect();
+                    let acting: Vec<&Map> =
+                        acting.iter().filter_map(|&m| maps.get(m)).flatten().collect();
+                    let work = (states.len() as u64).saturating_mul(acting.len() as u64);
+                    left = left.checked_sub(work.max(1)).ok_or_else(|| {
+                        Error::input(format!(
+                            "grid: more than {MOST_STEPS} steps of all runs together: expected a coarser \
+                             grid, fewer steps or fewer agents, or --complete"
+                        ))
+                    })?;
+                    states =
+                        acting.iter().flat_map(|map| states.iter().map(|x| map.apply(x))).collect();
                 }
             }
         }
@@ -109,8 +113,8 @@ fn maps(system: &System, values: &[Rational]) -> Vec<Vec<Map>> {
                 Parameter::ends(p).into_iter().map(|end| c.iter().cloned().chain([end]).collect())
             })
             .collect();
-        // More than can be followed: the limit of states ends that.
-        if corners.len() as u64 > MOST_STATES {
+        // More than can be followed: the limit of steps ends that.
+        if corners.len() as u64 > MOST_STEPS {
             break;
         }
     }

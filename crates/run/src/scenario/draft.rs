@@ -7,6 +7,7 @@ use cordon_spec::Phase;
 
 use super::{Flight, MAX_DRONES, MIN_DRONES, Own, Places, Protocol, Scenario, Topology};
 use crate::protocol;
+use crate::protocol::Agents;
 use cordon_core::exact::Rational;
 use cordon_core::system::Variable;
 use cordon_core::{Error, Result};
@@ -226,10 +227,14 @@ impl Draft {
             return Err(missing(&format!("start ({})", in_order(&variables))));
         };
         let per_agent = variables.len().max(1);
-        let agents = self.drones.unwrap_or(start.len() / per_agent);
+        let agents = match (self.drones, file.agents) {
+            (Some(drones), _) => drones,
+            (None, Agents::Exactly(agents)) => agents,
+            (None, Agents::From(fewest)) => (start.len() / per_agent).max(fewest),
+        };
         if start.len() != agents * per_agent {
             return Err(Error::input(format!(
-                "start: {} numbers given: expected {per_agent} for each of the {agents} drones: {}",
+                "start: {} numbers given: expected {per_agent} for each of {agents} agents: {}",
                 start.len(),
                 in_order(&variables)
             )));
@@ -313,7 +318,9 @@ impl Draft {
     }
 
     fn displacements(&self, count: usize) -> Result<Vec<Rational>> {
-        let b = self.displacement.as_ref().ok_or_else(|| missing("displacement"))?;
+        let b = self.displacement.as_ref().ok_or_else(|| {
+            Error::input("displacement is missing: expected it in a scenario file, for which there is no flag")
+        })?;
         if b.len() == count {
             Ok(b.clone())
         } else {

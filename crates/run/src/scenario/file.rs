@@ -55,13 +55,24 @@ pub fn read(path: &Path) -> Result<Draft> {
     parse(&path.display().to_string(), &files::read_text(path, Limit::SCENARIO)?)
 }
 
+/// Whether the text is a protocol file.
+fn is_protocol(text: &str) -> bool {
+    let table = text.parse::<toml::Table>().unwrap_or_default();
+    ["agents", "claims", "rules"].iter().any(|key| table.contains_key(*key))
+}
+
+fn no_scenario(name: &str) -> Error {
+    Error::input(format!("{name}: a protocol file: expected a scenario, or --protocol {name}"))
+}
+
 /// Reads a scenario from text; `name` stands for the file in messages.
 ///
 /// # Errors
 /// As [`read`], for the text.
 pub fn parse(name: &str, text: &str) -> Result<Draft> {
     let source = Source { name, text };
-    let (doc, places): (Document, Places) = document(&source)?;
+    let (doc, places): (Document, Places) =
+        document(&source).map_err(|e| if is_protocol(text) { no_scenario(name) } else { e })?;
     let number = |field: &str, value: Option<Spanned<Value>>| {
         value.map(|v| source.number(field, &v)).transpose()
     };

@@ -31,7 +31,8 @@ impl Topology {
             "ring" => Ok(Self::Ring(count)),
             "complete" => Ok(Self::Complete(count)),
             _ => Err(Error::input(format!(
-                "graph: `{name}` is unknown: expected `path`, `ring`, `complete` or a list of edges"
+                "graph: `{name}` is unknown: expected `path`, `ring` or `complete`, or in a scenario file \
+                 a list of edges"
             ))),
         }
     }

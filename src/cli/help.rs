@@ -112,7 +112,7 @@ Limits: 3 to 50 drones, 600 positions with those that late messages are about, 1
   cordon prove 7.2 --drones 4 --eps 0..1
   cordon prove --protocol scenarios/own/weighted-coverage.toml
 
-Limits: one N up to 1,000,000; protocol files of 4 MiB, 200 drones and 200 comparisons.",
+Limits: one N up to 1,000,000; protocol files of 4 MiB and 600 state variables.",
     ),
     (
         "check",

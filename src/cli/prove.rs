@@ -221,8 +221,8 @@ fn claims(args: &Args, narrowed: &Scope) -> Result<Vec<(&'static Claim, Form)>> 
     if let Some(name) = names.iter().find(|n| !known(n)) {
         let claims = CLAIMS.map(|c| c.name).join(", ");
         return Err(Error::input(format!(
-            "claim: `{name}` is unknown: expected `all` or some of {claims}{}",
-            theorems::instead_of(name)
+            "claim: `{name}` is unknown: expected {}",
+            theorems::expected(name, &claims)
         )));
     }
     // `all` has claims with one form only; who names such a claim is told.

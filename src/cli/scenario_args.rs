@@ -14,7 +14,7 @@ use cordon_run::scenario::{self, Draft, Flight, Places, Scenario, Start};
 #[derive(clap::Args, Clone, Debug, Default, PartialEq, Eq)]
 pub struct ScenarioArgs {
     /// Scenario file (TOML), see `scenarios/`, INTO-CPS multi-model (.json) or SSP archive (.ssp);
-    /// flags replace its fields
+    /// `-`: stdin; flags replace its fields
     #[arg(value_name = "SCENARIO")]
     pub file: Option<PathBuf>,
     /// Number of drones, 3 to 1000000 [default: the length of the start]

@@ -212,7 +212,7 @@ fn bad_input_is_named() {
             2,
             &["start", "drone 2", "`2`", "max"],
         ),
-        (&["trace", "--start", "2,1,0", "--eps", "1/5"], 2, &["max", "`0`"]),
+        (&["trace", "--start", "2,1,0", "--eps", "1/5"], 2, &["--start: the last drone", "`0`"]),
         (
             &["trace", "--start", "0,30,20,100", "--eps", "1/5", "--check", "7.2"],
             2,

@@ -19,6 +19,7 @@ mod foreign;
 mod golden;
 mod messages;
 mod own_runs;
+mod own_verdicts;
 mod replay;
 mod schemas;
 mod separation;

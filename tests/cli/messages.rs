@@ -56,6 +56,15 @@ trace scenarios/paper.toml --at -1
 trace LICENSE-MIT
 trace scenarios
 trace no-such-file.toml
+trace scenarios/own/coverage.toml
+trace --protocol scenarios/own/platoon.toml --start 0,0,0,0,0
+trace scenarios/paper.toml --protocol formation
+threshold --property claims
+prove scenarios/own/coverage.toml
+separation scenarios/paper.toml --duration 5
+separation scenarios/paper.toml --exchange double
+export smt2 --protocol scenarios/own/coverage.toml --drones 4
+sweep --protocol scenarios/own/coverage-with-losses.toml --grid 12 --steps 9
 local scenarios/paper.toml --exchange-every 0
 local scenarios/paper.toml --ratio -1
 local scenarios/paper.toml --ticks 100001
@@ -165,5 +174,5 @@ fn every_message_is_as_it_was_read() {
         assert_eq!(found, expected);
     }
     assert_eq!(found.len(), expected.len());
-    assert_eq!(CALLS.lines().count(), 127);
+    assert_eq!(CALLS.lines().count(), 136);
 }

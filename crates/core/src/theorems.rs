@@ -28,9 +28,8 @@ pub fn named(list: &str) -> Result<Vec<Theorem>> {
         named.extend(found);
         if named.len() == before {
             return Err(Error::input(format!(
-                "theorem: `{number}` is unknown: expected `all` or some of {}{}",
-                numbers(&Theorem::ALL, ", "),
-                instead_of(number)
+                "theorem: `{number}` is unknown: expected {}",
+                expected(number, &numbers(&Theorem::ALL, ", "))
             )));
         }
     }
@@ -39,10 +38,13 @@ pub fn named(list: &str) -> Result<Vec<Theorem>> {
     Ok(named)
 }
 
-/// What a name that is no theorem may have meant, to append to a message: a protocol file.
-pub fn instead_of(name: &str) -> &'static str {
-    let is_file = std::path::Path::new(name).extension().is_some_and(|e| e == "toml");
-    if is_file { "; a protocol file goes with --protocol" } else { "" }
+/// What is expected in the place of a name that is no theorem: some of the `known`, or --protocol before
+/// a protocol file.
+pub fn expected(name: &str, known: &str) -> String {
+    match std::path::Path::new(name).extension().is_some_and(|e| e == "toml") {
+        true => "--protocol before a protocol file".to_owned(),
+        false => format!("`all` or some of {known}"),
+    }
 }
 
 /// A theorem in words; its hypothesis is data, in the spec.

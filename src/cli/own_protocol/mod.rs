@@ -112,11 +112,11 @@ impl ProtocolArgs {
                 )));
             }
             let known: Vec<&str> = parameters.iter().map(|p| p.name.as_str()).collect();
-            let unknown = format!(
-                "set: `{}` is no parameter: expected one of {}",
-                shortened(name),
-                abridged_words(&known)
-            );
+            let among = match known.as_slice() {
+                [] => "none: the file has no parameters".to_owned(),
+                _ => format!("one of {}", abridged_words(&known)),
+            };
+            let unknown = format!("set: `{}` is no parameter: expected {among}", shortened(name));
             match parameters.iter_mut().find(|p| p.name == name) {
                 Some(p) => (p.low, p.high) = (low, high),
                 None => return Err(Error::input(unknown)),
@@ -145,7 +145,14 @@ impl ProtocolArgs {
 
     /// The flags that name this system again.
     fn flags(&self, system: &System) -> String {
-        let mut flags = format!("--protocol {}", shell_word(&self.path().display().to_string()));
+        // What begins with a dash would be taken for a flag.
+        let path = self.path();
+        let path = if path.as_os_str().as_encoded_bytes().starts_with(b"-") {
+            Path::new(".").join(path)
+        } else {
+            path.to_owned()
+        };
+        let mut flags = format!("--protocol {}", shell_word(&path.display().to_string()));
         if let Some(n) = self.agents {
             flags += &format!(" --agents {n}");
         }

@@ -14,7 +14,7 @@ use cordon_core::system::System;
 use cordon_core::{Error, Evidence, Outcome, Result};
 use cordon_proof::certificate;
 use cordon_proof::claims::certificate::certificate as sealed;
-use cordon_proof::claims::converge::{self, Contraction, Growth};
+use cordon_proof::claims::converge::{self, Contraction, Growth, Unfixed};
 use cordon_proof::claims::{self, Proved, Unproved, pinned};
 use cordon_proof::counterexample::list;
 use cordon_proof::prove::any_size::any_size;
@@ -43,6 +43,7 @@ pub fn prove(
     if let Some(found) = &for_every {
         if text {
             every_number_text(system, found, out)?;
+            out.flush()?;
         }
         page.insert(
             "every_number",
@@ -278,12 +279,28 @@ fn convergence(
             }),
             file,
         )
+    } else if let Some(found) = converge::unfixed(system) {
+        if text {
+            moves_the_targets(system, &found, out)?;
+        }
+        let image: Vec<String> = found.image.iter().map(fraction).collect();
+        (
+            Outcome::Refuted,
+            json!({
+                "proved": false,
+                "evidence": Evidence::CompleteForAllStarts,
+                "targets_become": image,
+                "word": choices_json(system, std::slice::from_ref(&found.step)),
+            }),
+            None,
+        )
     } else {
         if text {
-            writeln!(
-                out,
-                "  convergence: neither a form that falls in every step was found, nor one that does not"
-            )?;
+            let why = converge::beyond(system).unwrap_or_else(|| {
+                "neither a form that falls in every step was found, nor one that does not"
+                    .to_owned()
+            });
+            writeln!(out, "  convergence: {why}")?;
         }
         (Outcome::Inconclusive, json!({ "proved": Value::Null }), None)
     };
@@ -382,6 +399,23 @@ pub(super) fn round_text(found: &Contraction) -> String {
         1 => "step".to_owned(),
         n => format!("round of {n} steps"),
     }
+}
+
+fn moves_the_targets(system: &System, found: &Unfixed, out: &mut dyn Write) -> Result<()> {
+    let at = constants_text(system, &found.step.values);
+    let now = system.state.len() - system.past.len();
+    let image = list(found.image.get(..now).unwrap_or_default());
+    let with = match choice_text(system, &found.step) {
+        choice if choice.is_empty() => String::new(),
+        choice => format!(" ({choice})"),
+    };
+    writeln!(out, "  does not converge{at}: a step{with} takes the targets to {image}")?;
+    writeln!(
+        out,
+        "  {}: no run that goes on like that ends there",
+        Evidence::CompleteForAllStarts
+    )?;
+    Ok(())
 }
 
 fn does_not_converge(system: &System, found: &Growth, out: &mut dyn Write) -> Result<()> {

@@ -58,6 +58,9 @@ pub fn refute(
         ));
     }
     let text = format == OutputFormat::Text;
+    // What is wrong with the flags is said before anything else.
+    constants_of(system, search.denominators)?;
+    search.start.as_deref().map(|x| assumed(system, x)).transpose()?;
     if text {
         writeln!(out, "{}", headline(system))?;
         out.flush()?;
@@ -108,8 +111,10 @@ pub fn refuted_claims(
             Some(run) => refuted(args, system, run, out)?,
             None => not_refuted(system, search, &constants, complete, out)?,
         }
-        if let Some(file) = &file {
-            writeln!(out, "  wrote {file}")?;
+        match (&file, &search.file) {
+            (Some(file), _) => writeln!(out, "  wrote {file}")?,
+            (None, Some(_)) => writeln!(out, "  (no file: there is nothing to certify)")?,
+            (None, None) => {}
         }
     }
     let page = json!({

@@ -10,7 +10,7 @@ use super::show::{head, headline};
 use super::{ProtocolArgs, assumed};
 use crate::cli::select::OutputFormat;
 use cordon_core::exact::{decimal_string, fraction};
-use cordon_core::system::System;
+use cordon_core::system::{Convergence, System};
 use cordon_core::{Error, Evidence, Outcome, Rational, Result};
 use cordon_proof::claims::converge;
 use cordon_proof::claims::settle::settles;
@@ -47,11 +47,15 @@ pub fn settle(
         OutputFormat::Text => {
             writeln!(out, "{}", headline(system))?;
             let from = if start.is_some() { "this start" } else { "every assumed start" };
+            let of = match system.converges {
+                Some(Convergence::Agreement) => "agent 0",
+                _ => "its target",
+            };
             match (&found, step) {
                 (Some(c), Some(step)) => {
                     writeln!(
                         out,
-                        "  within {} from step {step} on, from {from}",
+                        "  every agent within {} of {of} from step {step} on, from {from}",
                         fraction(within)
                     )?;
                     writeln!(
@@ -68,7 +72,11 @@ pub fn settle(
                     "  converges, but the assumed starts are not bounded: expected `start` in the file to \
                      bound every variable, or --start"
                 )?,
-                (None, _) => writeln!(out, "  no form that falls in every step was found")?,
+                (None, _) => {
+                    let why = converge::beyond(system)
+                        .unwrap_or_else(|| "no form that falls in every step was found".to_owned());
+                    writeln!(out, "  {why}")?;
+                }
             }
             if let Some(file) = &file {
                 writeln!(out, "  wrote {file}")?;

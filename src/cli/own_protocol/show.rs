@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use cordon_core::Rational;
 use cordon_core::exact::fraction;
-use cordon_core::system::{Parameter, ParameterKind, Schedule, System};
+use cordon_core::system::{Claim, Parameter, ParameterKind, Schedule, System};
 
 use super::abridged_words;
 
@@ -84,4 +84,11 @@ pub fn constants_text(system: &System, values: &[Rational]) -> String {
     let all = system.parameters.iter().zip(values).filter(constant);
     let all: Vec<String> = all.map(|(p, v)| format!("{} = {}", p.name, fraction(v))).collect();
     if all.is_empty() { String::new() } else { format!(" at {}", all.join(", ")) }
+}
+
+/// `, from step 3`, `, until step 9`.
+pub fn when(claim: &Claim) -> String {
+    let from = if claim.from > 0 { format!(", from step {}", claim.from) } else { String::new() };
+    let until = claim.until.map_or_else(String::new, |last| format!(", until step {last}"));
+    from + &until
 }

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::ProtocolArgs;
 use super::refute::{as_json, constants_of, replay_line};
-use super::show::{constants_text, head, headline};
+use super::show::{constants_text, head, headline, when};
 use crate::cli::select::OutputFormat;
 use cordon_core::system::System;
 use cordon_core::{Error, Evidence, Outcome, Result};
@@ -27,6 +27,10 @@ pub struct Extent {
 /// What is known of a claim as written.
 struct Row<'s> {
     text: &'s str,
+    /// The steps that it is about, in words.
+    when: String,
+    /// Why nothing was learnt.
+    vacuous: Option<&'static str>,
     run: Option<Run>,
     /// Up to which step no run fails.
     steps: usize,
@@ -48,14 +52,14 @@ pub fn sweep(
     }
     let constants = constants_of(system, extent.denominators)?;
     let text = format == OutputFormat::Text;
-    if text {
-        writeln!(out, "{}", headline(system))?;
-        out.flush()?;
-    }
     let tried = match extent.grid {
         Some(parts) => Some(on_grid(system, &constants, parts, extent.steps)?),
         None => None,
     };
+    if text {
+        writeln!(out, "{}", headline(system))?;
+        out.flush()?;
+    }
     let mut rows = Vec::new();
     for (text, places) in system.written_claims() {
         let mut one = system.clone();
@@ -66,9 +70,16 @@ pub fn sweep(
         };
         // The run's claim by its place among all.
         let run = run.map(|run| Run { claim: places.get(run.claim).copied().unwrap_or(0), ..run });
-        rows.push(Row { text, run, steps });
+        let first = one.claims.first();
+        let is_later = first.is_some_and(|claim| claim.from > extent.steps);
+        let no_start = tried.as_ref().is_some_and(|t| t.starts == 0);
+        let vacuous = match (no_start, is_later) {
+            (true, _) => Some("no start on the grid meets the assumptions"),
+            (false, true) => Some("it is about later steps"),
+            (false, false) => None,
+        };
+        rows.push(Row { text, when: first.map_or_else(String::new, when), vacuous, run, steps });
     }
-    let is_vacuous = tried.as_ref().is_some_and(|t| t.starts == 0);
     let from = match &tried {
         Some(tried) => {
             let starts = if tried.starts == 1 { "start" } else { "starts" };
@@ -83,28 +94,36 @@ pub fn sweep(
     if text {
         for (row, number) in rows.iter().zip(1..) {
             match &row.run {
-                None if is_vacuous => writeln!(
-                    out,
-                    "  claim {number}, `{}`, is vacuous: no start on the grid meets the assumptions",
-                    row.text
-                )?,
                 Some(run) => {
                     let text = system.claims.get(run.claim).map_or("", |c| &c.predicate.text);
                     writeln!(
                         out,
-                        "  claim {number}, `{}`, fails{}: `{text}` at step {}",
+                        "  claim {number}, `{}`{}, fails{}: `{text}` at step {}",
                         row.text,
+                        row.when,
                         constants_text(system, &run.values),
                         run.step
                     )?;
                     writeln!(out, "    replay: {}", replay_line(args, system, run))?;
                 }
-                None => writeln!(
-                    out,
-                    "  claim {number}, `{}`, holds up to step {}{at} ({from})",
-                    row.text, row.steps
-                )?,
+                None => match row.vacuous {
+                    Some(why) => {
+                        writeln!(
+                            out,
+                            "  claim {number}, `{}`{}, is vacuous: {why}",
+                            row.text, row.when
+                        )?;
+                    }
+                    None => writeln!(
+                        out,
+                        "  claim {number}, `{}`{}, holds up to step {}{at} ({from})",
+                        row.text, row.when, row.steps
+                    )?,
+                },
             }
+        }
+        if system.converges.is_some() {
+            writeln!(out, "  convergence is not for a sweep: `cordon prove` judges it")?;
         }
         if rows.iter().any(|r| r.run.is_none() && r.steps < extent.steps) {
             writeln!(out, "  (the search was too large to go on to step {})", extent.steps)?;
@@ -117,7 +136,7 @@ pub fn sweep(
         let row = |row: &Row<'_>| -> Value {
             json!({
                 "claim": row.text,
-                "holds": if is_vacuous { Value::Null } else { json!(row.run.is_none()) },
+                "holds": if row.vacuous.is_some() { Value::Null } else { json!(row.run.is_none()) },
                 "steps": row.run.as_ref().map_or(row.steps, |run| run.step),
                 "evidence": if row.run.is_some() { Evidence::ThisRunOnly } else { evidence },
                 "counterexample": row.run.as_ref().map(|run| as_json(args, system, run)),
@@ -138,7 +157,7 @@ pub fn sweep(
     }
     let ended = |row: &Row<'_>| match &row.run {
         Some(_) => Outcome::Refuted,
-        None if is_vacuous || row.steps < extent.steps => Outcome::Inconclusive,
+        None if row.vacuous.is_some() || row.steps < extent.steps => Outcome::Inconclusive,
         None => Outcome::Holds,
     };
     Ok(rows.iter().map(ended).fold(Outcome::Holds, Outcome::worst))

@@ -5,10 +5,10 @@ use std::io::Write;
 use serde_json::{Value, json};
 
 use super::refute::{Search, as_json, constants_of, replay_line};
-use super::show::{constants_text, head, headline};
+use super::show::{constants_text, head, headline, when};
 use super::{ProtocolArgs, prove};
 use crate::cli::select::OutputFormat;
-use cordon_core::system::{Claim, Convergence, System};
+use cordon_core::system::{Convergence, System};
 use cordon_core::{Evidence, Outcome, Result};
 use cordon_proof::claims::{self, Run, Unproved, converge};
 use cordon_run::protocol::ProtocolFile;
@@ -96,13 +96,6 @@ pub fn theorems(
     Ok(outcomes.fold(Outcome::Holds, Outcome::worst))
 }
 
-/// `, from step 3`, `, until step 9`.
-fn when(claim: &Claim) -> String {
-    let from = if claim.from > 0 { format!(", from step {}", claim.from) } else { String::new() };
-    let until = claim.until.map_or_else(String::new, |last| format!(", until step {last}"));
-    from + &until
-}
-
 /// What is known of each claim as written, and last of convergence.
 fn known(args: &ProtocolArgs, file: &ProtocolFile, system: &System) -> Result<Vec<Known>> {
     let written = system.written_claims();
@@ -160,7 +153,7 @@ fn known(args: &ProtocolArgs, file: &ProtocolFile, system: &System) -> Result<Ve
     if system.converges.is_some() {
         all.push(if converge::contraction(system)?.is_some() {
             Known::Certified
-        } else if converge::grows(system)?.is_some() {
+        } else if converge::grows(system)?.is_some() || converge::unfixed(system).is_some() {
             Known::CertifiedFailure
         } else {
             Known::Open(None)

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive, Zero};
 
 /// An integer. Equal numbers are held alike: what fits 64 bits is small.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,7 +36,7 @@ impl Int {
             Self::Small(_) => 1,
             Self::Big(x) => {
                 let words = x.bits().div_ceil(64);
-                words.saturating_mul(20 + 6 * words)
+                words.saturating_mul(40 + 6 * words)
             }
         }
     }
@@ -90,7 +90,17 @@ impl Int {
     pub fn gcd(&self, other: &Self) -> Self {
         match (self, other) {
             (Self::Small(a), Self::Small(b)) => i128::from(*a).gcd(&i128::from(*b)).into(),
-            (a, b) => a.to_big().gcd(&b.to_big()).into(),
+            (Self::Small(0), Self::Big(x)) | (Self::Big(x), Self::Small(0)) => x.abs().into(),
+            // One division makes a machine word of the other.
+            (Self::Small(a), Self::Big(x)) | (Self::Big(x), Self::Small(a)) => {
+                Self::from(x % *a).gcd(&Self::Small(*a))
+            }
+            (Self::Big(a), Self::Big(b)) => {
+                match (a.magnitude().to_u128(), b.magnitude().to_u128()) {
+                    (Some(a), Some(b)) => BigInt::from(a.gcd(&b)).into(),
+                    _ => a.gcd(b).into(),
+                }
+            }
         }
     }
 

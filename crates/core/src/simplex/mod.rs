@@ -97,6 +97,10 @@ pub fn maximise_within(
     let row = |&(terms, constant): &(&[Term], &Rational)| {
         Row::integral(entries(terms).chain([(count, constant)]))
     };
+    let numbers = equations.iter().map(|(terms, _)| terms.len() + 1).sum();
+    if !work.spend(Row::work_of_reading(numbers)) {
+        return None;
+    }
     let rows = equations.iter().map(row).collect();
     solved(count, Row::integral(entries(objective)), rows, work)
 }

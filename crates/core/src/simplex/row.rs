@@ -23,8 +23,12 @@ impl Row {
         let mut entries: Vec<_> = entries.filter(|(_, x)| !x.is_zero()).collect();
         entries.sort_by_key(|(j, _)| *j);
         let one = BigInt::one();
-        let common = entries.iter().fold(one, |lcm, (_, x)| lcm.lcm(x.denom()));
-        let scaled = |(j, x): (usize, &Rational)| (j, Int::from(x.numer() * (&common / x.denom())));
+        let fractions = entries.iter().filter(|(_, x)| !x.is_integer());
+        let common = fractions.fold(one, |lcm, (_, x)| lcm.lcm(x.denom()));
+        let scaled = |(j, x): (usize, &Rational)| match common.is_one() {
+            true => (j, Int::from(x.numer().clone())),
+            false => (j, Int::from(x.numer() * (&common / x.denom()))),
+        };
         let mut row = Self { entries: entries.into_iter().map(scaled).collect() };
         row.reduce();
         row
@@ -81,6 +85,11 @@ impl Row {
     /// What making its numbers costs.
     pub fn work(&self) -> u64 {
         self.entries.iter().map(|(_, x)| x.work()).sum()
+    }
+
+    /// What making the row of so many numbers costs: they come as big integers.
+    pub fn work_of_reading(numbers: usize) -> u64 {
+        20 * numbers as u64
     }
 
     /// Adds the multiple of `pivot_row` that clears a column, where the pivot is positive; whether

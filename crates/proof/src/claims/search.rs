@@ -18,6 +18,7 @@ use std::{fmt, mem};
 use num_traits::Zero;
 
 use super::automaton::Automaton;
+use super::bounds::extreme;
 use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Premises, Sign, point_within};
@@ -576,7 +577,16 @@ impl<'s> Search<'s> {
             let all: Vec<Constraint> = self.starts.iter().cloned().chain([last]).collect();
             point_within(self.system.state.len(), &all, &self.work)
         };
-        // A real violation first, then one that only touches the bound.
+        // A corner of the start set first: its numbers are short. Then a real violation anywhere, then one that
+        // only touches the bound.
+        let corner = extreme(&form, &self.starts, self.system.state.len(), &self.work);
+        let fails = |x: &Vec<Rational>| is.form.at(x).is_some_and(|value| !is.sign.met_by(&value));
+        let is_start = |x: &Vec<Rational>| {
+            self.starts.iter().all(|c| c.form.at(x).is_some_and(|value| c.sign.met_by(&value)))
+        };
+        if let Some(corner) = corner.filter(|x| fails(x) && is_start(x)) {
+            return Some(corner);
+        }
         with(Sign::Positive)
             .or_else(|| (is.sign == Sign::Positive).then(|| with(Sign::NonNegative)).flatten())
     }

@@ -19,6 +19,9 @@ use cordon_core::{Error, Rational, Result};
 /// Most starts on a grid.
 pub const MOST_STARTS: usize = 100_000;
 
+/// Most comparisons with the assumptions, of points of the grid and beginnings of points.
+const MOST_COMPARISONS: u64 = 5_000_000;
+
 /// Most images of states in all runs together: a state has one for each mode and corner that may act.
 pub const MOST_STEPS: u64 = 400_000;
 
@@ -148,7 +151,8 @@ fn starts(system: &System, parts: u32) -> Result<Vec<Vec<Rational>>> {
         };
         ranges.push([-low, high]);
     }
-    let mut search = Points { parts, ranges, constraints, chosen: Vec::new(), found: Vec::new() };
+    let (chosen, found, left) = (Vec::new(), Vec::new(), MOST_COMPARISONS);
+    let mut search = Points { parts, ranges, constraints, chosen, left, found };
     search.go()?;
     Ok(search.found.iter().filter_map(|start| system.at_rest(start)).collect())
 }
@@ -159,11 +163,19 @@ struct Points {
     ranges: Vec<[Rational; 2]>,
     constraints: Vec<Constraint>,
     chosen: Vec<Rational>,
+    /// Comparisons that may still be made.
+    left: u64,
     found: Vec<Vec<Rational>>,
 }
 
 impl Points {
     fn go(&mut self) -> Result<()> {
+        self.left = self.left.checked_sub(1 + self.constraints.len() as u64).ok_or_else(|| {
+            Error::input(format!(
+                "grid: too many points for as many comparisons in `start`: expected a coarser grid, fewer agents or \
+                 --complete"
+            ))
+        })?;
         if !self.constraints.iter().all(|c| self.may_meet(c)) {
             return Ok(());
         }

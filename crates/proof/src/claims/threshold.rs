@@ -68,7 +68,7 @@ pub fn known(system: &System, property: Property) -> Result<Known> {
         Property::Convergence => {
             if converge::contraction(system)?.is_some() {
                 Known::Holds
-            } else if converge::grows(system)?.is_some() {
+            } else if converge::grows(system)?.is_some() || converge::unfixed(system).is_some() {
                 Known::Fails
             } else {
                 Known::Open

@@ -184,7 +184,10 @@ impl Claims<'_> {
         for comparison in comparisons(text).map_err(wrong)? {
             let found = self.instances(&comparison, text).map_err(wrong)?;
             if found.is_empty() {
-                let message = format!("{field}: speaks of no agent of {}", self.agents);
+                let message = format!(
+                    "{field}: expected agents from 0 to {}: there are no others",
+                    self.agents.saturating_sub(1)
+                );
                 return Err(self.source.error(at, &message));
             }
             all.extend(found);

@@ -169,7 +169,7 @@ impl Draft {
             }
         };
         self.refuse_fields_foreign_to(&protocol)?;
-        let weight = self.weight.clone().ok_or_else(|| missing("weight (eps)"))?;
+        let weight = self.weight.clone().ok_or_else(|| missing("weight (eps)", "--eps"))?;
         let title = format!("{} of {count} drones", protocol.name());
         self.scenario(protocol, start, weight, title)
     }
@@ -224,7 +224,7 @@ impl Draft {
         };
         let variables = file.variables()?;
         let Some(Start::Listed(start)) = &self.start else {
-            return Err(missing(&format!("start ({})", in_order(&variables))));
+            return Err(missing(&format!("start ({})", in_order(&variables)), "--start"));
         };
         let per_agent = variables.len().max(1);
         let agents = match (self.drones, file.agents) {
@@ -257,11 +257,11 @@ impl Draft {
     }
 
     fn positions(&self) -> Result<Vec<Rational>> {
-        let start = self.start.as_ref().ok_or_else(|| missing("start"))?;
+        let start = self.start.as_ref().ok_or_else(|| missing("start", FLAGS))?;
         let count = match (self.drones, start) {
             (Some(n), _) => n,
             (None, Start::Listed(list)) => list.len(),
-            (None, Start::SpreadTo(_)) => return Err(missing("drones (their number)")),
+            (None, Start::SpreadTo(_)) => return Err(missing("drones (their number)", "--drones")),
         };
         if !(MIN_DRONES..=MAX_DRONES).contains(&count) {
             return Err(Error::input(format!(
@@ -276,8 +276,10 @@ impl Draft {
             ))),
             Start::SpreadTo(to) => {
                 let min = self.min.clone().unwrap_or_default();
-                let max =
-                    self.max.clone().ok_or_else(|| missing("max, which `spread_to` needs"))?;
+                let max = self
+                    .max
+                    .clone()
+                    .ok_or_else(|| missing("max, which `spread_to` needs", "--max"))?;
                 let gaps = Rational::from_integer((count - 1).into());
                 let spacing = (to - &min) / gaps;
                 let place = |i: usize| &min + &spacing * Rational::from_integer(i.into());
@@ -288,14 +290,17 @@ impl Draft {
 
     fn coverage(&self, start: &[Rational]) -> Result<Protocol> {
         let (Some(first), Some(last)) = (start.first(), start.last()) else {
-            return Err(missing("start"));
+            return Err(missing("start", FLAGS));
         };
         let min = self.min.clone().unwrap_or_else(|| first.clone());
         let max = self.max.clone().unwrap_or_else(|| last.clone());
         if min >= max {
-            return Err(Error::input(format!(
-                "max: `{max}`: expected more than min, which is `{min}`"
-            )));
+            return Err(Error::input(match (&self.min, &self.max) {
+                (None, None) => format!(
+                    "start: the last drone is at `{max}`: expected more than `{min}`, where the first is"
+                ),
+                _ => format!("max: `{max}`: expected more than min, which is `{min}`"),
+            }));
         }
         for (name, end, drone, at) in
             [("min", &min, 0, first), ("max", &max, start.len() - 1, last)]
@@ -361,11 +366,14 @@ pub fn names_file(protocol: &str) -> bool {
 }
 
 /// The order of the numbers of a start: `x0,v0,x1,v1,...`.
+/// The flags that say where the drones start.
+const FLAGS: &str = "--start or --spread-to";
+
 fn in_order(variables: &[Variable]) -> String {
     let names = (0..2).flat_map(|i| variables.iter().map(move |v| format!("{}{i}", v.name)));
-    names.chain(["...".to_owned()]).collect::<Vec<_>>().join(",")
+    format!("{} and so on", names.collect::<Vec<_>>().join(","))
 }
 
-fn missing(field: &str) -> Error {
-    Error::input(format!("{field} is missing: expected it in the scenario file or as a flag"))
+fn missing(field: &str, flag: &str) -> Error {
+    Error::input(format!("{field} is missing: expected it in the scenario file, or {flag}"))
 }

@@ -5,9 +5,11 @@
 
 mod contraction;
 mod growth;
+mod unfixed;
 
 pub use contraction::{Contraction, contraction};
 pub use growth::{Growth, grows};
+pub use unfixed::{Unfixed, unfixed};
 
 use super::certificate::linear_system;
 use super::doubles::{Matrix, product, spectral_radius};
@@ -23,6 +25,13 @@ const MOST_READOUTS: usize = 64;
 
 /// Most maps, one a mode and corner.
 const MOST_MAPS: usize = 256;
+
+/// Why no form is searched, where a system has too much that has to vanish.
+pub fn beyond(system: &System) -> Option<String> {
+    let count = Readouts::of(system)?.all.len();
+    let many = format!("{count} differences have to vanish: expected at most {MOST_READOUTS}");
+    (count > MOST_READOUTS).then_some(many)
+}
 
 /// The step on readouts.
 struct Quotient {

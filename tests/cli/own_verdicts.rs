@@ -1,0 +1,122 @@
+//! What commands say of protocol files, and how they end.
+use crate::common::{cordon, run};
+
+/// A file with this text.
+fn written(folder: &tempfile::TempDir, name: &str, text: &str) -> String {
+    let path = folder.path().join(format!("{name}.toml"));
+    std::fs::write(&path, text).unwrap();
+    path.display().to_string()
+}
+
+#[test]
+fn a_grid_without_a_start_shows_nothing() {
+    let file = "scenarios/own/coverage.toml";
+    let sweep = |agents: &str| run(&["sweep", "--protocol", file, "--agents", agents]);
+    let (code, out, _) = sweep("20");
+    assert_eq!(code, 3);
+    assert!(out.contains("is vacuous: no start on the grid meets the assumptions"), "{out}");
+    assert!(!out.contains("holds"), "{out}");
+    let (code, out, _) = sweep("5");
+    assert!(code == 0 && out.contains("holds up to step 20"), "{out}");
+}
+
+#[test]
+fn a_claim_about_later_steps_is_not_swept() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "agents = 1\nclaims = [{ holds = \"x0 <= 2\", from = 9, until = 12 }]\n\
+                start = [\"0 <= x[i] <= 1\"]\n[rules]\nall = \"x + 1/2\"\n";
+    let file = written(&folder, "later", text);
+    let sweep = |steps: &str| run(&["sweep", "--protocol", &file, "--complete", "--steps", steps]);
+    let (code, out, _) = sweep("8");
+    assert!(code == 3 && out.contains("from step 9, until step 12, is vacuous"), "{out}");
+    let (code, out, _) = sweep("9");
+    assert!(code == 1 && out.contains("fails: `x0 <= 2` at step 9"), "{out}");
+}
+
+#[test]
+fn targets_that_a_step_moves_are_never_reached() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = |rule: &str| {
+        format!("agents = 3\nconverges = \"target\"\ntarget = \"i\"\n[rules]\nall = \"{rule}\"\n")
+    };
+    let moved = written(&folder, "moved", &text("x/2 + i"));
+    let (code, out, _) = run(&["prove", "--protocol", &moved]);
+    assert!(code == 1 && out.contains("a step takes the targets to 0,3/2,3"), "{out}");
+    let fixed = written(&folder, "fixed", &text("x/2 + i/2"));
+    let (code, out, _) = run(&["prove", "--protocol", &fixed]);
+    assert!(code == 0 && out.contains("converges"), "{out}");
+}
+
+/// The search for a proof may go further back than that for the smallest counterexample.
+#[test]
+fn what_the_search_for_a_proof_refutes_is_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "agents = 2\nstart = [\"0 <= x[i] <= 1\"]\nclaims = [\"x0 <= 10\", \"x1 <= 100\"]\n\
+                [rules]\nall = \"x + 1/2\"\n";
+    let file = written(&folder, "drifts", text);
+    let out_dir = folder.path().display().to_string();
+    let (code, out, _) = run(&["prove", "--protocol", &file, "--out", &out_dir]);
+    assert_eq!(code, 1);
+    assert!(out.contains("refuted: `x0 <= 10` fails at step 19"), "{out}");
+    let certificate = folder.path().join("drifts-refuted.json").display().to_string();
+    assert_eq!(run(&["check", &certificate]).0, 0);
+    let (code, out, _) = run(&["theorems", "--protocol", &file, "--check"]);
+    assert_eq!(code, 1);
+    assert!(out.contains("fails at step 19"), "{out}");
+}
+
+#[test]
+fn long_numbers_are_shown_rounded_and_kept_exact() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "agents = 1\nstart = [\"x0 = 1\"]\nclaims = [\"x0 < 9\"]\n[rules]\n\
+                all = \"123457/97001*x + 1/7\"\n";
+    let file = written(&folder, "grows", text);
+    let (code, out, _) = run(&["refute", "--protocol", &file]);
+    assert_eq!(code, 1);
+    assert!(out.contains("exact; shown rounded") && out.contains("1.415597"), "{out}");
+    let (_, exact, _) = run(&["refute", "--protocol", &file, "--format", "json"]);
+    assert!(exact.contains("\"961200/679007\""), "{exact}");
+}
+
+#[test]
+fn settling_writes_its_certificate() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().display().to_string();
+    let file = "scenarios/own/digraph.toml";
+    let (code, said, _) = run(&["settle", "--protocol", file, "--within", "1/10", "--out", &out]);
+    assert!(code == 0 && said.contains("wrote "), "{said}");
+    let certificate = folder.path().join("digraph-converges.json").display().to_string();
+    assert_eq!(run(&["check", &certificate]).0, 0);
+}
+
+#[test]
+fn too_many_differences_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "agents = 70\ntopology = \"ring\"\nconverges = \"agreement\"\n[rules]\n\
+                all = \"(x + next.x)/2\"\n";
+    let file = written(&folder, "many", text);
+    let (code, out, _) = run(&["prove", "--protocol", &file]);
+    assert_eq!(code, 3);
+    assert!(out.contains("69 differences have to vanish: expected at most 64"), "{out}");
+}
+
+#[test]
+fn in_continuous_time_the_fewest_agents_are_said_to_be_meant() {
+    let folder = tempfile::tempdir().unwrap();
+    let spring = std::fs::read_to_string("benchmarks/pushed-spring.toml").unwrap();
+    let file = written(&folder, "springs", &spring.replace("agents = 1\n", "agents = \"1..\"\n"));
+    let said = "the fewest agents of the file";
+    let (_, out, _) = run(&["prove", "--protocol", &file]);
+    assert!(out.contains(said), "{out}");
+    let (_, out, _) = run(&["prove", "--protocol", &file, "--agents", "1"]);
+    assert!(!out.contains(said), "{out}");
+}
+
+#[cfg(unix)]
+#[test]
+fn help_that_cannot_be_written_is_no_success() {
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let program = cordon().get_program().to_owned();
+    let status = std::process::Command::new(program).arg("--help").stdout(full).status().unwrap();
+    assert_eq!(status.code(), Some(74));
+}

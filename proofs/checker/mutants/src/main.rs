@@ -15,12 +15,16 @@ use syn::{
     Arm, BinOp, Block, Expr, ImplItemFn, ItemConst, ItemFn, Pat, ReturnType, Signature, UnOp,
 };
 
-/// What is appended to the root of the crate.
+/// What is appended to the root of the crate. The first test that fails, and the first panic, ends the program.
 const SWITCH: &str = "
 /// Whether that mutant is in force.
 pub fn mutant(number: u32) -> bool {
     static CHOSEN: std::sync::OnceLock<Option<u32>> = std::sync::OnceLock::new();
-    *CHOSEN.get_or_init(|| std::env::var(\"MUTANT\").ok()?.parse().ok()) == Some(number)
+    *CHOSEN.get_or_init(|| {
+        let chosen = std::env::var(\"MUTANT\").ok()?.parse().ok();
+        std::panic::set_hook(Box::new(|_| std::process::exit(101)));
+        chosen
+    }) == Some(number)
 }
 ";
 
@@ -151,7 +155,7 @@ impl VisitMut for Mutator {
                         self.switch(&format!("replace {} with {other}", b.op.to_token_stream()));
                     let op: TokenStream = other.parse().unwrap_or_default();
                     let (left, right) = (&b.left, &b.right);
-                    *e = Expr::Verbatim(quote!((if #on { #left #op #right } else { #e })));
+                    *e = Expr::Verbatim(quote!((if #on { (#left) #op (#right) } else { #e })));
                 }
             }
             Expr::Unary(u) if matches!(u.op, UnOp::Not(_) | UnOp::Neg(_)) => {

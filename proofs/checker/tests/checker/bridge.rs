@@ -36,7 +36,7 @@ fn goal(kernel: &Kernel, name: &str, values: &[(&str, usize)]) -> Poly {
         let known = values.iter().find(|(v, _)| *a == Atom::Var((*v).into()));
         known.map(|(_, n)| Poly::from_index(*n))
     };
-    kernel.lemma(name).unwrap_or_else(|| panic!("{name}")).goal.poly.substitute(&value)
+    kernel.lemmas.get(name).unwrap_or_else(|| panic!("{name}")).goal.poly.substitute(&value)
 }
 
 /// For one N the words leave out what is no condition for it.
@@ -135,7 +135,7 @@ fn classes_stand_for_every_drone_of_every_swarm() {
 
 /// Whether a clause about the start and eps holds: for all i for which its literals given do.
 fn holds(kernel: &Kernel, name: &str, setting: &Setting<Number>, start: &[Number]) -> bool {
-    let clause = kernel.lemma(name).unwrap();
+    let clause = kernel.lemmas.get(name).unwrap();
     let last = start.len() - 1;
     let number = |p: &Poly, i: usize| -> Number {
         let value = |a: &Atom| {
@@ -189,7 +189,7 @@ fn hypotheses_are_those_of_the_spec() {
             let system = json!({ "protocol": "coverage", "steps": "full", "weights": { "of": of }, "starts": of });
             let kernel = kernel(&system);
             let there = |names: &[&'static str]| -> Vec<&'static str> {
-                names.iter().copied().filter(|n| kernel.lemma(n).is_some()).collect()
+                names.iter().copied().filter(|n| kernel.lemmas.contains_key(*n)).collect()
             };
             let weights = there(&["weight.low", "weight.high", "weight.four"]);
             let starts = there(&[
@@ -228,7 +228,7 @@ fn hypotheses_are_those_of_the_spec() {
                 );
                 *answers.entry(found).or_default() += 1;
                 // Below the critical weight there are minors, which are no numbers here.
-                if kernel.lemma("minor.step").is_none() {
+                if !kernel.lemmas.contains_key("minor.step") {
                     let eps = &setting.eps_num;
                     let met =
                         hypothesis.weights.contains(eps, &setting.eps_den, count) == Truth::True;

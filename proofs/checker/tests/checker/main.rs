@@ -7,4 +7,5 @@ mod cli;
 mod hostile;
 mod meaning;
 mod mutants;
+mod rules;
 mod second;

@@ -12,12 +12,10 @@ cd "$(dirname "$0")/../.." || exit 2
 folder=$(realpath -m "${1:-target/checker-mutants}")
 list=proofs/checker/tests/equivalent-mutants.tsv
 crate=$folder/checker
-rm -rf "$crate" && mkdir -p "$crate/src" || exit 2
 # What the tests read, where they look for it.
-for name in certificates must-not-prove second-checker; do
-    ln -sfn "$PWD/proofs/$name" "$folder/$name"
-done
-cp -r proofs/checker/tests Cargo.lock "$crate" || exit 2
+rm -rf "$folder"/{checker,certificates,must-not-prove,second-checker,rocq} && mkdir -p "$crate/src" "$folder/rocq/theories" || exit 2
+cp -r proofs/{certificates,must-not-prove,second-checker} "$folder" && cp proofs/rocq/theories/Kernel.v "$folder/rocq/theories" || exit 2
+cp -r proofs/checker/{tests,RULES.md} Cargo.lock "$crate" || exit 2
 cargo run --quiet --manifest-path proofs/checker/mutants/Cargo.toml --target-dir "$folder/tool" -- \
     proofs/checker/src "$crate/src" "$folder/mutants.txt" || exit 2
 # The versions are those of the lock file.
@@ -47,7 +45,7 @@ EOF
 build() { (cd "$crate" && cargo test --no-run --message-format short --target-dir "$folder/target" 2>&1); }
 tests=$(build | sed -n 's/.*Executable tests.*(\(.*\))$/\1/p')
 [ -x "$tests" ] || { build | grep error; exit 2; }
-sources=$(cat proofs/checker/src/*.rs "$folder/mutants.txt" | sha256sum)
+sources=$(cat proofs/checker/src/*.rs proofs/checker/src/*/*.rs "$folder/mutants.txt" | sha256sum)
 [ "$(cat "$folder/sources" 2> /dev/null)" = "$sources" ] || : > "$folder/noticed"
 echo "$sources" > "$folder/sources"
 cd "$crate" || exit 2

@@ -138,7 +138,10 @@ macro_rules! operations {
         impl $name<&Self> for Number {
             type Output = Self;
             fn $method(self, other: &Self) -> Self {
-                self.charged(other, || &self.0 $op &other.0)
+                let whole = self.0.is_integer() && other.0.is_integer();
+                // Without denominators there is nothing to reduce.
+                let short = || Rational::from_integer(self.0.numer() $op other.0.numer());
+                self.charged(other, || if whole { short() } else { &self.0 $op &other.0 })
             }
         }
     )*};

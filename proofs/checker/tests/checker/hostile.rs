@@ -142,6 +142,19 @@ fn long_runs_are_judged_or_given_up() {
     assert!(done() > 1_000_000, "the rate of 7.8 is counted: {}", done());
 }
 
+#[test]
+fn runs_have_a_largest_number_of_steps() {
+    let still = |step: usize| {
+        let body = json!({
+            "theorem": "7.8", "form": "paper", "min": "0", "max": "4", "eps": "0", "start": ["0", "1", "4"], "step": step,
+            "violation": { "step": 1, "subject": "energy" },
+        });
+        check(&sealed("refutation", body)).to_string()
+    };
+    assert!(still(10_000).starts_with("valid"), "{}", still(10_000));
+    assert!(still(10_001).contains("at most 10000 steps"), "{}", still(10_001));
+}
+
 /// A system of one variable, without a claim about it that needs proof.
 fn invariance(system: Value, nodes: Value, edges: Value) -> String {
     let claims = json!([{ "at": "n0", "holds": "1 > 0", "multipliers": {} }]);
@@ -215,6 +228,28 @@ fn long_verdicts_are_given_up() {
     };
     assert_eq!(check(&page(100)).label(), "valid");
     overworked("lines of edges", &page(1_000));
+}
+
+/// An ellipsoid of the most variables is judged, one of more is not.
+#[test]
+fn ellipsoids_have_a_largest_number_of_variables() {
+    let still = |size: usize| {
+        let names: Vec<String> = (0..size).map(|i| format!("x{i}")).collect();
+        let rows: Value = names.iter().map(|x| (x.clone(), json!(format!("-{x}")))).collect();
+        let unit = |i: usize| (0..=i).map(|j| if i == j { "1" } else { "0" }).collect();
+        let triangle: Vec<Vec<&str>> = (0..size).map(unit).collect();
+        let zero = vec!["0"; size];
+        sealed(
+            "ellipsoid",
+            json!({
+                "system": { "state": names, "modes": { "m": rows } }, "points": [zero], "start": ["a"],
+                "nodes": { "a": { "centre": zero, "matrix": triangle } }, "claims": ["x0 + 1 >= 0"],
+                "edges": [{ "from": "a", "by": "m", "to": "a", "decay": "1" }],
+            }),
+        )
+    };
+    assert_eq!(check(&still(200)).label(), "valid");
+    assert!(check(&still(201)).to_string().contains("201 variables: expected at most 200"));
 }
 
 #[test]

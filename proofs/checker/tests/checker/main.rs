@@ -9,3 +9,4 @@ mod meaning;
 mod mutants;
 mod rules;
 mod second;
+mod work;

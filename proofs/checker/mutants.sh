@@ -53,8 +53,8 @@ cd "$crate" || exit 2
 # Tests by what they cost; those of the second checker alone are left out. A change after which they do not end is noticed too.
 passes() { MUTANT=$1 timeout "$2" "$tests" --quiet "${@:3}" > "$folder/last.txt" 2>&1; }
 survives() {
-    passes "$1" 30 certificates:: && passes "$1" 60 bridge:: meaning:: cli:: &&
-        passes "$1" 200 mutants:: hostile:: && passes "$1" 200 second::both
+    passes "$1" 60 certificates:: work:: && passes "$1" 120 bridge:: meaning:: mutants:: cli:: &&
+        passes "$1" 300 second::both && passes "$1" 600 hostile::
 }
 survives 0 || { cat "$folder/last.txt"; exit 2; }
 : > "$folder/left.txt"

@@ -120,10 +120,10 @@ impl Number {
         self.0.numer().bits() / 64 + self.0.denom().bits() / 64
     }
 
-    /// Charges an operation on the two, which costs at most the square of their length.
+    /// Charges an operation on the two, which costs at most the square of their length: common divisors are sought bit by bit.
     fn charged(&self, other: &Self, result: impl FnOnce() -> Rational) -> Self {
         let words = self.words() + other.words();
-        Self(if charge(128 + words * words / 2) { result() } else { Rational::zero() })
+        Self(if charge(128 + 3 * words * words / 2) { result() } else { Rational::zero() })
     }
 }
 

@@ -30,7 +30,7 @@ fn an_operation_costs_the_square_of_its_length() {
     let whole = number(&power(5, 60));
     let narrow = number(&format!("1/{}", power(3, 41)));
     for (a, b, words) in [(&wide, &whole, 6), (&wide, &narrow, 5), (&whole, &whole, 4)] {
-        let expected = 128 + words * words / 2;
+        let expected = 128 + 3 * words * words / 2;
         assert_eq!(cost(|| a.clone() + b), expected);
         assert_eq!(cost(|| a.clone() - b), expected);
         assert_eq!(cost(|| a.clone() * b), expected);

@@ -168,8 +168,7 @@ pub fn refute(
 
 /// Searches a proof of a theorem for every number of drones, every step and every real weight
 /// of its range. The certificate is a JSON text, for [`check_certificate`] to judge: what the
-/// search says alone counts for nothing. `None`: no proof was found. (Of 7.4 (ii) it is the direction
-/// from the sum to the targets; `cordon prove 7.4ii-if` has the other.)
+/// search says alone counts for nothing. `None`: no proof was found.
 ///
 /// ```
 /// use cordon::{CertificateVerdict, Form, Theorem};

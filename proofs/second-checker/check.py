@@ -24,6 +24,13 @@ class Invalid(Exception):
         self.rule = rule
 
 
+def needs(rule):
+    def need(ok, why):
+        if not ok:
+            raise Invalid(rule, why)
+    return need
+
+
 work = [0]
 
 
@@ -338,9 +345,7 @@ class Kernel:
         return {**{n: c[2] for n, c in self.lemmas.items() if not c[0] and not c[1]}, **given}
 
     def define(self, d):
-        def need(ok, why):
-            if not ok:
-                raise Invalid("definition", why)
+        need = needs("definition")
         name, of, base = self.fresh(d["name"]), {}, d.get("base", [])
         for argument in d.get("of", []):
             of[self.fresh(argument, of)] = "integer"
@@ -400,9 +405,7 @@ class Kernel:
         self.sum(goal, body.get("times", []), body["sum"], facts, variables)
 
     def sum(self, goal, times, text, facts, variables):
-        def need(ok, why):
-            if not ok:
-                raise Invalid("positivity", why)
+        need = needs("positivity")
         left = goal[0]
         for n in times:
             need(n in facts and facts[n][1] == POSITIVE, f"{n!r:.40} is no positive fact")
@@ -727,9 +730,7 @@ def at_names(p, values):
 
 
 def counterexample(c):
-    def need(ok, why):
-        if not ok:
-            raise Invalid("counterexample", why)
+    need = needs("counterexample")
 
     def holds(literal):
         p, relation = literal
@@ -769,9 +770,7 @@ def invariance(c):
     system = Linear(c["system"])
     nodes = {n: [system.literal(t) for t in texts] for n, texts in c["nodes"].items()}
 
-    def need(ok, why):
-        if not ok:
-            raise Invalid("invariance", why)
+    need = needs("invariance")
     edges, claims = c["edges"], c["claims"]
     need(claims and all(n in nodes for n in [c["start"], *(e[k] for e in edges for k in ("from", "to")), *(x["at"] for x in claims)]), "no such node, or no claim")
     for e in edges:
@@ -807,9 +806,7 @@ def definite(m, strictly):
 
 
 def quadratic(c):
-    def need(ok, why):
-        if not ok:
-            raise Invalid("quadratic", why)
+    need = needs("quadratic")
     system, size, maps, rate = Linear(c["system"]), len(c["readouts"]), c["maps"], c.get("rate")
     need(1 <= size <= 200, "1 to 200 readouts")
     need(len(maps) == len(system.modes) and ("matrix" in c) != bool(c.get("matrices")), "maps and matrices")
@@ -845,9 +842,7 @@ def quadratic(c):
 
 # ---- Ellipsoids (x-c)' Q^-1 (x-c) <= 1 that runs in continuous time do not leave.
 def ellipsoid(c):
-    def need(ok, why):
-        if not ok:
-            raise Invalid("ellipsoid", why)
+    need = needs("ellipsoid")
     system, state, nodes = Linear(c["system"]), c["system"]["state"], {}
     size = len(state)
     need(size <= 200, "variables")
@@ -956,9 +951,7 @@ def conclusion(theorem, form, eps, e, c, x):
 
 
 def refutation(c):
-    def need(ok, why):
-        if not ok:
-            raise Invalid("refutation", why)
+    need = needs("refutation")
     ranges, starts = hypothesis(c)
     x, theorem, form, eps, low, high = [c["start"]], c["theorem"], c["form"], c["eps"], c["min"], c["max"]
     n, active, delay = len(x[0]), c.get("activation"), c.get("delay")

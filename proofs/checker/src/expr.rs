@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::rc::Rc;
 
+use crate::fault::{Result, ensure, fault};
 use crate::number::{Number, charge};
 use crate::poly::{Atom, Poly};
 
@@ -67,6 +68,8 @@ pub struct Signature {
     pub last: Option<Poly>,
 }
 
+const RULE: &str = "expression";
+
 /// Most brackets within brackets.
 const MAX_DEPTH: usize = 32;
 
@@ -101,24 +104,22 @@ impl Signature {
     ///
     /// # Errors
     /// What is wrong with it.
-    pub fn poly(&self, text: &str, vars: &Vars, facts: bool) -> Result<Poly, String> {
+    pub fn poly(&self, text: &str, vars: &Vars, facts: bool) -> Result<Poly> {
         let mut parser =
             Parser { signature: self, vars, facts, rest: text.trim_start_matches(' ') };
-        let poly = parser.sum(0)?;
-        match parser.rest {
-            "" => Ok(poly),
-            rest if rest.starts_with('.') => Err(format!(
-                "`{text:.60}`: expected a fraction like `1/2` in the place of a decimal"
-            )),
-            rest => Err(format!("`{text:.60}`: unexpected `{rest:.20}`")),
-        }
+        let poly = parser.sum(0).or_else(|reason| fault(RULE, reason))?;
+        let rest = parser.rest;
+        let what = "expected a fraction like `1/2` in the place of a decimal";
+        ensure!(!rest.starts_with('.'), RULE, "`{text:.60}`: {what}");
+        ensure!(rest.is_empty(), RULE, "`{text:.60}`: unexpected `{rest:.20}`");
+        Ok(poly)
     }
 
     /// Reads two polynomials with `>=`, `>`, `=`, `<=` or `<` between.
     ///
     /// # Errors
     /// What is wrong with it.
-    pub fn literal(&self, text: &str, vars: &Vars) -> Result<Literal, String> {
+    pub fn literal(&self, text: &str, vars: &Vars) -> Result<Literal> {
         for (sign, relation, turned) in [
             (">=", Relation::NonNegative, false),
             ("<=", Relation::NonNegative, true),
@@ -132,9 +133,11 @@ impl Signature {
                 return Ok(Literal { poly, relation });
             }
         }
-        Err(format!("`{text:.60}`: expected a relation"))
+        fault(RULE, format!("`{text:.60}`: expected a relation"))
     }
 }
+
+type Parsed<T> = std::result::Result<T, String>;
 
 struct Parser<'t> {
     signature: &'t Signature,
@@ -150,7 +153,7 @@ impl<'t> Parser<'t> {
         found.is_some()
     }
 
-    fn expect(&mut self, wanted: &str) -> Result<(), String> {
+    fn expect(&mut self, wanted: &str) -> Parsed<()> {
         match self.take(wanted) {
             true => Ok(()),
             false => Err(format!("expected `{wanted}` before `{:.20}`", self.rest)),
@@ -158,7 +161,7 @@ impl<'t> Parser<'t> {
     }
 
     /// The longest beginning of such characters.
-    fn word(&mut self, is: impl Fn(char) -> bool) -> Result<&'t str, String> {
+    fn word(&mut self, is: impl Fn(char) -> bool) -> Parsed<&'t str> {
         let end = self.rest.find(|c| !is(c)).unwrap_or(self.rest.len());
         let (word, rest) = self.rest.split_at(end);
         self.rest = rest.trim_start_matches(' ');
@@ -169,7 +172,7 @@ impl<'t> Parser<'t> {
     }
 
     /// `[-] product (+|- product)*`
-    fn sum(&mut self, depth: usize) -> Result<Poly, String> {
+    fn sum(&mut self, depth: usize) -> Parsed<Poly> {
         if depth > MAX_DEPTH {
             return Err(format!("more than {MAX_DEPTH} brackets within brackets"));
         }
@@ -186,7 +189,7 @@ impl<'t> Parser<'t> {
     }
 
     /// `factor (* factor)*`
-    fn product(&mut self, depth: usize) -> Result<Poly, String> {
+    fn product(&mut self, depth: usize) -> Parsed<Poly> {
         let mut product = self.factor(depth)?;
         while self.take("*") {
             product = product * &self.factor(depth)?;
@@ -195,7 +198,7 @@ impl<'t> Parser<'t> {
     }
 
     /// `number | name | name(sum, ...) | [fact] | (sum)`
-    fn factor(&mut self, depth: usize) -> Result<Poly, String> {
+    fn factor(&mut self, depth: usize) -> Parsed<Poly> {
         if self.take("(") {
             let inside = self.sum(depth + 1)?;
             return self.expect(")").map(|()| inside);

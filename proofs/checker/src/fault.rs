@@ -12,6 +12,9 @@ pub struct Fault {
 /// What is accepted, or why not.
 pub type Result<T> = std::result::Result<T, Fault>;
 
+/// What a certificate shows, in words made from it, and how many proofs that took.
+pub type Shown = (String, usize);
+
 /// A fault of that rule.
 ///
 /// # Errors
@@ -20,14 +23,12 @@ pub fn fault<T>(rule: &'static str, reason: impl Into<String>) -> Result<T> {
     Err(Fault { rule, reason: reason.into() })
 }
 
-/// A fault of a rule, unless the condition holds.
-///
-/// # Errors
-/// It does not hold.
-pub fn need<W: Into<String>>(
-    holds: bool,
-    rule: &'static str,
-    words: impl FnOnce() -> W,
-) -> Result<()> {
-    if holds { Ok(()) } else { fault(rule, words()) }
+/// Returns a fault of a rule, unless the condition holds.
+macro_rules! ensure {
+    ($holds:expr, $rule:expr, $($words:tt)+) => {
+        if !$holds {
+            return $crate::fault::fault($rule, format!($($words)+));
+        }
+    };
 }
+pub(crate) use ensure;

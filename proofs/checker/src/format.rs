@@ -18,31 +18,51 @@ pub const SCHEMA: &str = "cordon-certificate/2";
 /// Largest file, in bytes: room for a vector of 10,000 numbers of 400 digits.
 pub const MAX_BYTES: usize = 4 << 20;
 
-/// Declares structs that are read from objects alone; what `Deserialize` derives by itself takes
-/// positional arrays too.
+/// Declares structs that are read from objects alone; what `Deserialize` derives by itself takes positional arrays too. First the
+/// fields that have to be there; after `;` those that are empty, and after another those that are none, where they are left out.
 macro_rules! objects {
-    ($($(#[$doc:meta])* $name:ident { $($(#[$about:meta])* $field:ident: $t:ty),* $(,)? })*) => {$(
+    ($($(#[$doc:meta])* $name:ident { $($needed:ident: $n:ty),*
+        $(; $($empty:ident: $e:ty),* $(; $($none:ident: $o:ty),*)?)? })*) => {$(
         $(#[$doc])*
         #[derive(Deserialize, Clone, Debug)]
         #[serde(remote = "Self", deny_unknown_fields)]
-        pub struct $name { $($(#[$about])* pub $field: $t),* }
+        #[allow(missing_docs, reason = "the doc of the struct and FORMAT.md say what the fields are")]
+        pub struct $name {
+            $(pub $needed: $n,)*
+            $($(#[serde(default)] pub $empty: $e,)*
+            $($(#[serde(default, deserialize_with = "present")] pub $none: Option<$o>,)*)?)?
+        }
+
+        impl<'de> FromMap<'de> for $name {
+            fn from_map<A: MapAccess<'de>>(map: A) -> Result<Self, A::Error> {
+                Self::deserialize(MapAccessDeserializer::new(map))
+            }
+        }
 
         impl<'de> Deserialize<'de> for $name {
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                struct Object;
-                impl<'de> Visitor<'de> for Object {
-                    type Value = $name;
-                    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                        f.write_str("an object")
-                    }
-                    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<$name, A::Error> {
-                        $name::deserialize(MapAccessDeserializer::new(map))
-                    }
-                }
-                deserializer.deserialize_map(Object)
+                deserializer.deserialize_map(Object(PhantomData))
             }
         }
     )*};
+}
+
+trait FromMap<'de>: Sized {
+    fn from_map<A: MapAccess<'de>>(map: A) -> Result<Self, A::Error>;
+}
+
+struct Object<T>(PhantomData<T>);
+
+impl<'de, T: FromMap<'de>> Visitor<'de> for Object<T> {
+    type Value = T;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an object")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<T, A::Error> {
+        T::from_map(map)
+    }
 }
 
 /// Fields of an object by name, in any number.
@@ -55,25 +75,21 @@ impl<T> Default for Named<T> {
     }
 }
 
+impl<'de, T: Deserialize<'de>> FromMap<'de> for Named<T> {
+    fn from_map<A: MapAccess<'de>>(mut map: A) -> Result<Self, A::Error> {
+        let mut all = BTreeMap::new();
+        while let Some((key, value)) = map.next_entry::<String, T>()? {
+            if all.contains_key(&key) {
+                return Err(A::Error::custom(format!("duplicate field `{key:.40}`")));
+            }
+            all.insert(key, value);
+        }
+        Ok(Self(all))
+    }
+}
+
 impl<'de, T: Deserialize<'de>> Deserialize<'de> for Named<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Object<T>(PhantomData<T>);
-        impl<'de, T: Deserialize<'de>> Visitor<'de> for Object<T> {
-            type Value = Named<T>;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("an object")
-            }
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Named<T>, A::Error> {
-                let mut all = BTreeMap::new();
-                while let Some((key, value)) = map.next_entry::<String, T>()? {
-                    if all.contains_key(&key) {
-                        return Err(A::Error::custom(format!("duplicate field `{key:.40}`")));
-                    }
-                    all.insert(key, value);
-                }
-                Ok(Named(all))
-            }
-        }
         deserializer.deserialize_map(Object(PhantomData))
     }
 }
@@ -99,465 +115,140 @@ fn present<'de, D: Deserializer<'de>, T: Deserialize<'de>>(d: D) -> Result<Optio
     T::deserialize(d).map(Some)
 }
 
+/// A lower triangle.
+type Triangle = Vec<Vec<Number>>;
+
 objects! {
-    /// A file.
-    File {
-        /// [`SCHEMA`].
-        schema: String,
-        /// What it holds.
-        certificate: Kind,
-    }
-    /// A theorem with its proof.
-    Theorem {
-        /// What is proved.
-        statement: Statement,
-        /// Why.
-        proof: Proofs,
-    }
-    /// What is proved: of every run of the system that the assumptions hold of, the conclusions do.
+    /// A file: [`SCHEMA`], and what it holds.
+    File { schema: String, certificate: Kind }
+    /// What is proved, and why.
+    Theorem { statement: Statement, proof: Proofs }
+    /// What is proved: of every run of the system (of the spec, or a user's family), for every value of the constants, that the
+    /// assumptions hold of, the conclusions do; in words of the functions defined.
     Statement {
-        /// What runs, if it is of the spec.
-        #[serde(default, deserialize_with = "present")]
-        system: Option<System>,
-        /// What runs, if it is a user's.
-        #[serde(default, deserialize_with = "present")]
-        family: Option<Family>,
-        /// Constants: every value of their sort is spoken of.
-        #[serde(default)]
-        constants: Named<Sort>,
-        /// Functions that the clauses speak of.
-        #[serde(default)]
-        definitions: Vec<Definition>,
-        /// What is assumed besides.
-        #[serde(default)]
-        assumptions: Vec<Clause>,
-        /// What follows.
-        conclusions: Vec<Clause>,
+        conclusions: Vec<Clause>;
+        constants: Named<Sort>, definitions: Vec<Definition>, assumptions: Vec<Clause>; system: System, family: Family
     }
-    /// What runs.
-    System {
-        /// `coverage`, `consensus` or `projection`.
-        protocol: String,
-        /// `full`, `activation` or `delay`.
-        steps: String,
-        /// Number and form of the theorem whose range of weights is meant, or an interval, or none.
-        #[serde(default)]
-        weights: Weights,
-        /// Number and form of the theorem whose starts are meant.
-        #[serde(default, deserialize_with = "present")]
-        starts: Option<Hypothesis>,
-        /// One N in the place of every N >= 3.
-        #[serde(default, deserialize_with = "present")]
-        drones: Option<u32>,
-    }
-    /// A user's protocol of any number of agents.
+    /// What runs: `coverage`, `consensus` or `projection`, in `full` steps, with `activation` or `delay`; the theorem whose starts are
+    /// meant, and one N in the place of every N >= 3.
+    System { protocol: String, steps: String; weights: Weights; starts: Hypothesis, drones: u32 }
+    /// A user's protocol of any number of agents on a `line` or a `ring`, or of just so many: the variables of each agent, constants, and for
+    /// each class of agents what its variables are after a step.
     Family {
-        /// `line` or `ring`.
-        topology: String,
-        /// The variables that each agent has.
-        state: Vec<String>,
-        /// Constants, the same in all steps, with the ends of their ranges.
-        #[serde(default)]
-        parameters: Named<Range>,
-        /// For each class of agents what its variables are after a step; those left out keep their values.
-        rules: Named<Named<String>>,
-        /// One N in the place of every N >= 3.
-        #[serde(default, deserialize_with = "present")]
-        drones: Option<u32>,
+        topology: String, state: Vec<String>, rules: Named<Named<String>>; parameters: Named<Range>; drones: u32
     }
     /// A closed range, without an end where nothing is given.
-    Range {
-        /// At least this.
-        #[serde(default, deserialize_with = "present")]
-        from: Option<Number>,
-        /// At most this.
-        #[serde(default, deserialize_with = "present")]
-        to: Option<Number>,
-    }
-    /// A theorem's hypothesis.
-    Hypothesis {
-        /// Its number.
-        theorem: String,
-        /// `paper` or `sharp`.
-        form: String,
-    }
+    Range { ;; from: Number, to: Number }
+    /// The hypothesis of the theorem of that number, in its `paper` or `sharp` form.
+    Hypothesis { theorem: String, form: String }
     /// A range of weights: any, unless something is given.
     #[derive(Default)]
-    Weights {
-        /// That of a theorem.
-        #[serde(default, deserialize_with = "present")]
-        of: Option<Hypothesis>,
-        /// At least this.
-        #[serde(default, deserialize_with = "present")]
-        from: Option<Number>,
-        /// At most this.
-        #[serde(default, deserialize_with = "present")]
-        to: Option<Number>,
-    }
-    /// A function by recursion on its last argument.
-    Definition {
-        /// Its name.
-        name: String,
-        /// Its arguments, integers.
-        #[serde(default)]
-        of: Vec<String>,
-        /// Where the last argument starts.
-        #[serde(default)]
-        from: String,
-        /// The first values.
-        #[serde(default)]
-        base: Vec<String>,
-        /// The next value, times `scale`.
-        step: String,
-        /// A positive factor of the next value.
-        #[serde(default, deserialize_with = "present")]
-        scale: Option<Scale>,
-    }
-    /// A positive factor.
-    Scale {
-        /// The factor.
-        by: String,
-        /// Why it is positive: a sum.
-        sum: String,
-    }
-    /// For all values of the variables, if the given literals hold so does the goal.
-    Clause {
-        /// Its name.
-        name: String,
-        /// The variables.
-        #[serde(default, rename = "for")]
-        vars: Vec<Variable>,
-        /// The literals given.
-        #[serde(default)]
-        given: Vec<Given>,
-        /// The goal.
-        goal: String,
-    }
-    /// A variable.
-    Variable {
-        /// Its name.
-        name: String,
-        /// Its values.
-        sort: Sort,
-    }
-    /// A literal given.
-    Given {
-        /// Its name, as a fact.
-        name: String,
-        /// The literal.
-        holds: String,
-    }
-    /// Lemmas in order, then the proof of each conclusion.
-    Proofs {
-        /// Functions that the statement does not speak of.
-        #[serde(default)]
-        definitions: Vec<Definition>,
-        /// Clauses with their proofs.
-        #[serde(default)]
-        lemmas: Vec<Lemma>,
-        /// The conclusions' proofs by name.
-        conclusions: Named<Proof>,
-    }
+    Weights { ;; of: Hypothesis, from: Number, to: Number }
+    /// A function by recursion on the last of its arguments, integers: where that starts, the first values, and the next
+    /// value times a positive factor.
+    Definition { name: String, step: String; of: Vec<String>, from: String, base: Vec<String>; scale: Scale }
+    /// A positive factor, and a sum that shows it.
+    Scale { by: String, sum: String }
+    /// For all values of the variables, if the literals given hold so does the goal.
+    Clause { name: String, goal: String; r#for: Vec<Variable>, given: Vec<Given> }
+    /// A variable and its values.
+    Variable { name: String, sort: Sort }
+    /// A literal given, and its name as a fact.
+    Given { name: String, holds: String }
+    /// Functions that the statement does not speak of, lemmas in order, the conclusions' proofs by name.
+    Proofs { conclusions: Named<Proof>; definitions: Vec<Definition>, lemmas: Vec<Lemma> }
     /// A clause with its proof.
-    Lemma {
-        /// The clause.
-        clause: Clause,
-        /// Its proof.
-        proof: Proof,
-    }
-    /// The goal as a sum of products of facts.
-    Positivity {
-        /// Instances of lemmas: further facts.
-        #[serde(rename = "use", default)]
-        instances: Vec<Instance>,
-        /// Positive facts that multiply the goal.
-        #[serde(default)]
-        times: Vec<String>,
-        /// The sum.
-        sum: String,
-    }
-    /// An instance of a lemma.
-    Instance {
-        /// The fact's name.
-        name: String,
-        /// The lemma's.
-        lemma: String,
-        /// A term for each variable.
-        #[serde(default)]
-        with: Named<String>,
-        /// A sum for each literal given.
-        #[serde(default)]
-        given: Named<String>,
-    }
-    /// An integer variable is at its bound or beyond.
-    Cases {
-        /// The name of the literal that bounds it.
-        on: String,
-        /// The variable.
-        variable: String,
-        /// The proof at the bound.
-        equal: Box<Proof>,
-        /// The proof beyond it.
-        beyond: Box<Proof>,
-    }
-    /// A term is above, equal to or below 0.
-    Split {
-        /// The fact's name.
-        name: String,
-        /// The term.
-        on: String,
-        /// The proof where it is > 0 (an integer: >= 1).
-        above: Box<Proof>,
-        /// The proof where it is 0.
-        equal: Box<Proof>,
-        /// The proof where it is < 0 (an integer: <= -1).
-        below: Box<Proof>,
-    }
-    /// Induction over an integer variable.
+    Lemma { clause: Clause, proof: Proof }
+    /// The goal, times positive facts, as a sum of products of facts, instances of lemmas among them.
+    Positivity { sum: String; r#use: Vec<Instance>, times: Vec<String> }
+    /// A fact of that name: the lemma with a term for each variable, and a sum for each literal given.
+    Instance { name: String, lemma: String; with: Named<String>, given: Named<String> }
+    /// An integer variable is at the bound that the literal `on` sets it, or beyond.
+    Cases { on: String, variable: String, equal: Box<Proof>, beyond: Box<Proof> }
+    /// The term `on` is > 0 (an integer: >= 1), 0, or < 0 (an integer: <= -1), as a fact of that name.
+    Split { name: String, on: String, above: Box<Proof>, equal: Box<Proof>, below: Box<Proof> }
+    /// Induction over an integer variable that the literal `on` bounds below; the hypothesis by name, with the variable that stands in it
+    /// for one that is no later, and the proofs at the bound and one further.
     Induction {
-        /// The name of the literal that bounds it below.
-        on: String,
-        /// The variable.
-        variable: String,
-        /// The name of the hypothesis.
-        hypothesis: String,
-        /// The variable of the hypothesis in its place, and the name of the literal that it is no later.
-        earlier: String,
-        /// The proof at the bound.
-        base: Box<Proof>,
-        /// The proof one further.
-        step: Box<Proof>,
+        on: String, variable: String, hypothesis: String, earlier: String, base: Box<Proof>, step: Box<Proof>
     }
-    /// Convergence for one N and eps.
-    Contraction {
-        /// N.
-        drones: u32,
-        /// The weight.
-        eps: Number,
-        /// The factor by which errors shrink in one step.
-        rate: Number,
-        /// w on the internal drones.
-        vector: Vec<Number>,
-    }
-    /// No convergence for one N and eps.
-    Growth {
-        /// N.
-        drones: u32,
-        /// The weight.
-        eps: Number,
-        /// w on the internal drones.
-        vector: Vec<Number>,
-    }
-    /// A counterexample.
+    /// Convergence for one N and eps: w on the internal drones, and the factor by which errors shrink in one step.
+    Contraction { drones: u32, eps: Number, rate: Number, vector: Vec<Number> }
+    /// No convergence for one N and eps: w on the internal drones.
+    Growth { drones: u32, eps: Number, vector: Vec<Number> }
+    /// A counterexample: X^0, k, and what is violated there. The weight is exempt where `weights` is `any`; step by step, who updates, or who
+    /// sees whom how late.
     Refutation {
-        /// The theorem's number.
-        theorem: String,
-        /// `paper` or `sharp`.
-        form: String,
-        /// `any`: the weight is exempt.
-        #[serde(default, deserialize_with = "present")]
-        weights: Option<String>,
-        /// Left end of the segment.
-        min: Number,
-        /// Right end of the segment.
-        max: Number,
-        /// The weight.
-        eps: Number,
-        /// X^0.
-        start: Vec<Number>,
-        /// k.
-        step: u32,
-        /// What is violated.
-        violation: Violation,
-        /// Who updates, step by step.
-        #[serde(default, deserialize_with = "present")]
-        activation: Option<Vec<Vec<usize>>>,
-        /// Who sees whom how late, step by step.
-        #[serde(default, deserialize_with = "present")]
-        delay: Option<Vec<Vec<Delay>>>,
+        theorem: String, form: String, min: Number, max: Number, eps: Number, start: Vec<Number>, step: u32,
+        violation: Violation;; weights: String, activation: Vec<Vec<usize>>, delay: Vec<Vec<Delay>>
     }
-    /// What a conclusion answers on a run.
-    Violation {
-        /// Placement, counted from the first that the conclusion reads.
-        step: usize,
-        /// `pair`, `drone`, `sum` or `energy`.
-        subject: String,
-        /// The index of the drone, or of the first of the pair.
-        #[serde(default, deserialize_with = "present")]
-        at: Option<usize>,
-    }
-    /// A late message.
-    Delay {
-        /// Who sees.
-        drone: usize,
-        /// Whom.
-        sees: usize,
-        /// How many steps ago.
-        age: usize,
-    }
-    /// A linear system.
-    Linear {
-        /// The variables.
-        state: Vec<String>,
-        /// Parameters with the ends of their ranges; each step may have other values.
-        #[serde(default)]
-        parameters: Named<[Number; 2]>,
-        /// For each mode the variables that it changes, and to what.
-        modes: Named<Named<String>>,
-    }
-    /// A run of a linear system that violates a claim.
+    /// What a conclusion answers on a run: placement, counted from the first that it reads; `pair`, `drone`, `sum` or
+    /// `energy`; the index of the drone, or of the first of the pair.
+    Violation { step: usize, subject: String;; at: usize }
+    /// Who sees whom, and how many steps ago.
+    Delay { drone: usize, sees: usize, age: usize }
+    /// A linear system: for each mode the variables that it changes, and to what; parameters with the ends of their ranges,
+    /// each step may have other values.
+    Linear { state: Vec<String>, modes: Named<Named<String>>; parameters: Named<[Number; 2]> }
+    /// A run of a linear system, from a start that meets the assumptions, after the last step of which a literal fails; values of
+    /// parameters that are the same in all steps.
     Counterexample {
-        /// What runs.
-        system: Linear,
-        /// Literals that the start is assumed to meet.
-        #[serde(default)]
-        assumptions: Vec<String>,
-        /// The start, a number a variable.
-        start: Vec<Number>,
-        /// Values of parameters that are the same in all steps.
-        #[serde(default)]
-        with: Named<Number>,
-        /// What acts, step by step.
-        steps: Vec<Move>,
-        /// The literal that fails after the last step.
-        claim: String,
+        system: Linear, start: Vec<Number>, steps: Vec<Move>, claim: String; assumptions: Vec<String>, with: Named<Number>
     }
-    /// One step of a linear system.
-    Move {
-        /// The mode.
-        by: String,
-        /// The values of the other parameters in it.
-        #[serde(default)]
-        with: Named<Number>,
-    }
-    /// What holds along the runs of a linear system.
+    /// One step of a linear system: the mode, and the values of the other parameters in it.
+    Move { by: String; with: Named<Number> }
+    /// What holds along the runs of a linear system: literals about the state at nodes, one of which the start is assumed to meet.
     Invariance {
-        /// What runs.
-        system: Linear,
-        /// Literals about the state.
-        nodes: Named<Vec<String>>,
-        /// The node that the start is assumed to meet.
-        start: String,
-        /// Why one node follows from another.
-        edges: Vec<Edge>,
-        /// What follows from a node.
-        claims: Vec<Claim>,
+        system: Linear, nodes: Named<Vec<String>>, start: String, edges: Vec<Edge>, claims: Vec<Claim>
     }
-    /// What holds at a node, after a step or at once.
-    Edge {
-        /// The node known to hold.
-        from: String,
-        /// The mode of the step, if one is taken.
-        #[serde(default, deserialize_with = "present")]
-        by: Option<String>,
-        /// The node that holds then.
-        to: String,
-        /// For each of its literals, for each vertex of the parameters in it, the multipliers of the literals known.
-        multipliers: Vec<Vec<Named<Number>>>,
-    }
-    /// What follows from a node.
-    Claim {
-        /// The node.
-        at: String,
-        /// The literal.
-        holds: String,
-        /// The multipliers of the node's literals.
-        multipliers: Named<Number>,
-    }
-    /// A quadratic form of readouts that falls in every step, or never.
+    /// Why one node follows from another, after a step of a mode or at once: for each of its literals, for each vertex of the
+    /// parameters in it, the multipliers of the literals known.
+    Edge { from: String, to: String, multipliers: Vec<Vec<Named<Number>>>;; by: String }
+    /// A literal that follows from a node, by multipliers of the node's literals.
+    Claim { at: String, holds: String, multipliers: Named<Number> }
+    /// A quadratic form of readouts y0, y1, .. that falls by a rate in every step, or never from a start: what a step of each mode makes of
+    /// each readout, and the form for every mode, or one for each mode that acts next.
     Quadratic {
-        /// What runs.
-        system: Linear,
-        /// Affine forms of the state: y0, y1, ..
-        readouts: Vec<String>,
-        /// For each mode what a step makes of each readout, in y0, y1, ..
-        maps: Named<Vec<String>>,
-        /// The form for every mode, as a lower triangle.
-        #[serde(default, deserialize_with = "present")]
-        matrix: Option<Vec<Vec<Number>>>,
-        /// A form for each mode that acts next.
-        #[serde(default)]
-        matrices: Named<Vec<Vec<Number>>>,
-        /// The factor by which its root falls at least.
-        #[serde(default, deserialize_with = "present")]
-        rate: Option<Number>,
-        /// A state from which it does not fall to 0.
-        #[serde(default, deserialize_with = "present")]
-        start: Option<Vec<Number>>,
+        system: Linear, readouts: Vec<String>, maps: Named<Vec<String>>;
+        matrices: Named<Triangle>; matrix: Triangle, rate: Number, start: Vec<Number>
     }
-    /// Ellipsoids that runs in continuous time do not leave.
+    /// Ellipsoids that runs in continuous time do not leave, rows being derivatives: runs start between points of all those of
+    /// the start, of which of them does not matter, and stay inside along the edges; claims hold in all ellipsoids.
     Ellipsoid {
-        /// What runs: rows are derivatives.
-        system: Linear,
-        /// The ellipsoids.
-        nodes: Named<Node>,
-        /// The nodes in which runs start, of each of them whichever.
-        start: Vec<String>,
-        /// Points of all of those: runs start between them.
-        points: Vec<Vec<Number>>,
-        /// Along what runs stay inside.
-        edges: Vec<Passage>,
-        /// Literals that hold in all ellipsoids.
-        claims: Vec<String>,
+        system: Linear, nodes: Named<Node>, start: Vec<String>, points: Vec<Vec<Number>>, edges: Vec<Passage>, claims: Vec<String>
     }
     /// The set (x - c)' Q^-1 (x - c) <= 1.
-    Node {
-        /// c.
-        centre: Vec<Number>,
-        /// Q, as a lower triangle.
-        matrix: Vec<Vec<Number>>,
-    }
-    /// From an ellipsoid to another while a mode acts.
-    Passage {
-        /// The ellipsoid before.
-        from: String,
-        /// The mode.
-        by: String,
-        /// The ellipsoid after.
-        to: String,
-        /// How fast a run goes inwards at least.
-        decay: Number,
-        /// How long it takes; any time where the ellipsoid stays.
-        #[serde(default, deserialize_with = "present")]
-        time: Option<Number>,
-    }
+    Node { centre: Vec<Number>, matrix: Triangle }
+    /// From an ellipsoid to another while a mode acts: how fast a run goes inwards at least, and how long it takes; any time where
+    /// the ellipsoid stays.
+    Passage { from: String, by: String, to: String, decay: Number;; time: Number }
 }
 
-/// The kinds.
+/// What a certificate holds, by its kind.
 #[derive(Deserialize, Clone, Debug)]
 #[serde(rename_all = "kebab-case")]
+#[allow(missing_docs, reason = "the structs say it")]
 pub enum Kind {
-    /// By the kernel.
     Theorem(Box<Theorem>),
-    /// By a vector.
     Contraction(Contraction),
-    /// By a vector.
     Growth(Growth),
-    /// By a run.
     Refutation(Box<Refutation>),
-    /// By a run.
     Counterexample(Box<Counterexample>),
-    /// By Farkas' lemma.
     Invariance(Box<Invariance>),
-    /// By a quadratic form.
     Quadratic(Box<Quadratic>),
-    /// By ellipsoids.
     Ellipsoid(Box<Ellipsoid>),
 }
 
 /// A proof: a rule with what it reads.
 #[derive(Deserialize, Clone, Debug)]
 #[serde(rename_all = "kebab-case")]
+#[allow(missing_docs, reason = "the structs say it")]
 pub enum Proof {
-    /// A sum of products of facts.
     Positivity(Positivity),
     /// The same of -1 >= 0: the facts contradict each other.
     Absurd(Positivity),
-    /// An integer variable at its bound or beyond.
     Cases(Cases),
-    /// A term above, equal to or below 0.
     Split(Split),
-    /// Induction.
     Induction(Induction),
 }
 

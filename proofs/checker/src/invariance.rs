@@ -4,9 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::expr::Relation::{Positive, Zero};
 use crate::expr::{Literal, joined};
-use crate::fault::{Result, fault, need};
+use crate::fault::{Result, Shown, ensure, fault};
 use crate::format::{Edge, Invariance, Named};
-use crate::linear::{System, at};
+use crate::linear::{STEPS, System, at};
 use crate::number::{Number, charge, exhausted};
 use crate::poly::Poly;
 
@@ -28,7 +28,7 @@ fn follows(
         };
         let allowed = fact.relation == Zero || (goal.relation != Zero && *m >= Number::whole(0));
         let expected = "has to be of an equation, or >= 0";
-        need(allowed, RULE, || format!("{place}: the multiplier of literal {name} {expected}"))?;
+        ensure!(allowed, RULE, "{place}: the multiplier of literal {name} {expected}");
         strict |= fact.relation == Positive && m.is_positive();
         rest = rest - &(Poly::constant(m.clone()) * &fact.poly);
     }
@@ -40,20 +40,20 @@ fn follows(
     }
     let constant = rest.coefficient(&[]);
     let left = format!("{constant:.40}");
-    need(goal.relation != Zero || constant.is_zero(), RULE, || {
-        format!("{place}: {left} is left of the equation")
-    })?;
+    ensure!(
+        goal.relation != Zero || constant.is_zero(),
+        RULE,
+        "{place}: {left} is left of the equation"
+    );
     let missed = constant < Number::whole(0);
-    need(!missed, RULE, || {
-        format!("{place}: the bound is missed by {}", left.trim_start_matches('-'))
-    })?;
+    ensure!(!missed, RULE, "{place}: the bound is missed by {}", left.trim_start_matches('-'));
     let reached = goal.relation == Positive && constant.is_zero() && !strict;
-    need(!reached, RULE, || format!("{place}: the bound is reached, but not strictly"))?;
+    ensure!(!reached, RULE, "{place}: the bound is reached, but not strictly");
     Ok(())
 }
 
 /// `invariance`: what holds at a node holds at the ends of its edges, after a step where the edge takes one.
-pub fn invariance(c: &Invariance) -> Result<(String, usize)> {
+pub fn invariance(c: &Invariance) -> Result<Shown> {
     let system = System::read(&c.system)?;
     let mut nodes = BTreeMap::new();
     for (name, literals) in &c.nodes.0 {
@@ -71,17 +71,13 @@ pub fn invariance(c: &Invariance) -> Result<(String, usize)> {
         let (given, goals) = (node(&edge.from)?, node(&edge.to)?);
         let step = edge.by.as_ref().map(|mode| system.rows(mode)).transpose()?;
         let (rows, expected) = (edge.multipliers.len(), goals.len());
-        need(rows == expected, RULE, || {
-            format!("{place}: {rows} rows of multipliers: expected {expected}")
-        })?;
+        ensure!(rows == expected, RULE, "{place}: {rows} rows of multipliers: expected {expected}");
         for (row, (goal, multipliers)) in goals.iter().zip(&edge.multipliers).enumerate() {
             let after = step.map_or(goal.poly.clone(), |step| at(&goal.poly, step));
             let vertices = system.vertices(&[after])?;
             let (found, expected) = (multipliers.len(), vertices.len());
             let fits = found == expected;
-            need(fits, RULE, || {
-                format!("{place}, row {row}: {found} vertices: expected {expected}")
-            })?;
+            ensure!(fits, RULE, "{place}, row {row}: {found} vertices: expected {expected}");
             let vertices = vertices.into_iter().flatten().zip(multipliers);
             for (vertex, (poly, multipliers)) in vertices.enumerate() {
                 let goal = Literal { poly, relation: goal.relation };
@@ -99,8 +95,8 @@ pub fn invariance(c: &Invariance) -> Result<(String, usize)> {
         proved += 1;
         claims.entry(goal).or_default().insert(&claim.at);
     }
-    need(!claims.is_empty(), RULE, || "nothing is claimed")?;
-    let mut words = vec![system.words(&Named::default(), start)];
+    ensure!(!claims.is_empty(), RULE, "nothing is claimed");
+    let mut words = vec![system.words(STEPS, &Named::default(), start)];
     words.extend(said(c, system.modes.len(), &claims));
     Ok((words.join("\n  "), proved))
 }

@@ -24,7 +24,7 @@ pub mod vector;
 use std::fmt;
 
 use cordon_spec::coverage::exec_coverage;
-use fault::{Fault, fault};
+use fault::{Fault, Result, Shown, fault};
 use format::{Kind, Theorem};
 use kernel::Kernel;
 use system::Step;
@@ -77,14 +77,12 @@ impl Verdict {
 
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: ", self.label())?;
         match self {
-            Self::Valid { claim, obligations } => {
-                write!(f, "valid: {claim} ({obligations} proved)")
-            }
-            Self::Invalid { step, rule, reason } => {
-                write!(f, "invalid: {step}: rule {rule}: {reason}")
-            }
-            Self::Unreadable { reason } => write!(f, "unreadable: {reason}"),
+            Self::Valid { claim, obligations: ..=1 } => f.write_str(claim),
+            Self::Valid { claim, obligations } => write!(f, "{claim} ({obligations} obligations)"),
+            Self::Invalid { step, rule, reason } => write!(f, "{step}: rule {rule}: {reason}"),
+            Self::Unreadable { reason } => f.write_str(reason),
         }
     }
 }
@@ -102,20 +100,18 @@ pub fn check_of(text: &str, step: Step) -> Verdict {
         Ok(kind) => kind,
         Err(reason) => return Verdict::Unreadable { reason },
     };
-    let once = |claim| (claim, 1);
     let (clause, result) = match &kind {
         Kind::Theorem(t) => theorem(t, step),
-        Kind::Contraction(c) => ("contraction", vector::contraction(c, step).map(once)),
-        Kind::Growth(c) => ("growth", vector::growth(c, step).map(once)),
-        Kind::Refutation(c) => ("refutation", refutation::refutation(c).map(once)),
-        Kind::Counterexample(c) => ("counterexample", refutation::counterexample(c).map(once)),
+        Kind::Contraction(c) => ("contraction", vector::contraction(c, step)),
+        Kind::Growth(c) => ("growth", vector::growth(c, step)),
+        Kind::Refutation(c) => ("refutation", refutation::refutation(c)),
+        Kind::Counterexample(c) => ("counterexample", refutation::counterexample(c)),
         Kind::Invariance(c) => ("invariance", invariance::invariance(c)),
         Kind::Quadratic(c) => ("quadratic", quadratic::quadratic(c)),
         Kind::Ellipsoid(c) => ("ellipsoid", ellipsoid::ellipsoid(c)),
     };
     // Without work left numbers are not what they should be: neither is what was said of them.
-    let result =
-        if number::exhausted() { fault("work", "more than a file is allowed") } else { result };
+    let result = number::spend(0).and(result);
     match result {
         Ok((claim, obligations)) => Verdict::Valid { claim, obligations },
         Err(Fault { rule, reason }) => Verdict::Invalid { step: clause.into(), rule, reason },
@@ -123,13 +119,13 @@ pub fn check_of(text: &str, step: Step) -> Verdict {
 }
 
 /// Kind `theorem`: the clause that fails, or what was proved and in how many clauses.
-fn theorem(t: &Theorem, protocol: Step) -> (&str, Result<(String, usize), Fault>) {
+fn theorem(t: &Theorem, protocol: Step) -> (&str, Result<Shown>) {
     let mut step = "statement";
     let result = prove(t, protocol, &mut step);
     (step, result)
 }
 
-fn prove<'t>(t: &'t Theorem, protocol: Step, step: &mut &'t str) -> Result<(String, usize), Fault> {
+fn prove<'t>(t: &'t Theorem, protocol: Step, step: &mut &'t str) -> Result<Shown> {
     let (mut kernel, s) = (Kernel::default(), &t.statement);
     let mut words = vec![match (&s.system, &s.family) {
         (Some(system), None) => system::install(system, &mut kernel, protocol)?,
@@ -137,12 +133,11 @@ fn prove<'t>(t: &'t Theorem, protocol: Step, step: &mut &'t str) -> Result<(Stri
         _ => return fault("system", "expected `system`, or `family`"),
     }];
     for (name, sort) in &s.constants.0 {
-        let name = kernel.fresh(name, &Vec::new())?;
+        kernel.constant(name, *sort)?;
         words.push(format!(
             "for every {} {name}",
             if *sort == expr::Sort::Integer { "integer" } else { "real" }
         ));
-        kernel.signature.constants.insert(name, *sort);
     }
     for d in &s.definitions {
         words.push(format!("where {}", kernel.define(d)?));
@@ -154,7 +149,7 @@ fn prove<'t>(t: &'t Theorem, protocol: Step, step: &mut &'t str) -> Result<(Stri
     }
     // What is to be proved, before the proof brings its own names.
     let goals: Vec<_> =
-        s.conclusions.iter().map(|c| Ok((c, kernel.clause(c)?))).collect::<Result<_, Fault>>()?;
+        s.conclusions.iter().map(|c| Ok((c, kernel.clause(c)?))).collect::<Result<_>>()?;
     for d in &t.proof.definitions {
         *step = &d.name;
         kernel.define(d)?;

@@ -7,11 +7,14 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::expr::{Literal, Signature, Sort, joined};
-use crate::fault::{Result, fault, need};
+use crate::fault::{Result, ensure, fault};
 use crate::format::{Linear, Named};
 use crate::kernel::Kernel;
-use crate::number::{Number, charge};
+use crate::number::{Number, spend};
 use crate::poly::{Atom, Poly};
+
+/// A system that takes steps, in words.
+pub const STEPS: [&str; 2] = ["a linear system of", "in each step"];
 
 const SYSTEM: &str = "system";
 
@@ -39,8 +42,7 @@ pub fn at(poly: &Poly, values: &Values<'_>) -> Poly {
 pub fn reals<'n>(names: impl IntoIterator<Item = &'n String>) -> Result<Signature> {
     let mut kernel = Kernel::default();
     for name in names {
-        let name = kernel.fresh(name, &Vec::new())?;
-        kernel.signature.constants.insert(name, Sort::Real);
+        kernel.constant(name, Sort::Real)?;
     }
     Ok(kernel.signature)
 }
@@ -50,7 +52,7 @@ pub fn reals<'n>(names: impl IntoIterator<Item = &'n String>) -> Result<Signatur
 /// # Errors
 /// What is wrong with it.
 pub fn affine(text: &str, names: &Signature, variables: &Signature) -> Result<Poly> {
-    let poly = names.poly(text, &Vec::new(), false).or_else(|e| fault("expression", e))?;
+    let poly = names.poly(text, &Vec::new(), false)?;
     is_affine(&poly, text, variables)?;
     Ok(poly)
 }
@@ -59,7 +61,7 @@ fn is_affine(poly: &Poly, text: &str, variables: &Signature) -> Result<()> {
     let fits = |m: &Vec<Atom>| {
         m.iter().filter(|a| variables.knows(a)).count() < 2 && m.windows(2).all(|w| w[0] != w[1])
     };
-    need(poly.terms().all(|(m, _)| fits(m)), SYSTEM, || format!("`{text:.60}` is not affine"))?;
+    ensure!(poly.terms().all(|(m, _)| fits(m)), SYSTEM, "`{text:.60}` is not affine");
     Ok(())
 }
 
@@ -72,20 +74,20 @@ impl<'c> System<'c> {
         let state = reals(&written.state)?;
         let rows = reals(written.state.iter().chain(written.parameters.0.keys()))?;
         for (name, [low, high]) in &written.parameters.0 {
-            need(low <= high, SYSTEM, || format!("the range of `{name}` is empty"))?;
+            ensure!(low <= high, SYSTEM, "the range of `{name}` is empty");
         }
         let mut modes = BTreeMap::new();
         for (name, updates) in &written.modes.0 {
             let mut mode = BTreeMap::new();
             for (variable, text) in &updates.0 {
                 let known = state.constants.contains_key(variable.as_str());
-                need(known, SYSTEM, || format!("mode `{name:.40}`: no variable `{variable:.40}`"))?;
+                ensure!(known, SYSTEM, "mode `{name:.40}`: no variable `{variable:.40}`");
                 mode.insert(variable.as_str(), affine(text, &rows, &state)?);
             }
             modes.insert(name.as_str(), mode);
         }
         let empty = written.state.is_empty() || modes.is_empty();
-        need(!empty, SYSTEM, || "a system without variables, or without modes")?;
+        ensure!(!empty, SYSTEM, "a system without variables, or without modes");
         Ok(Self { written, state, modes })
     }
 
@@ -94,8 +96,7 @@ impl<'c> System<'c> {
     /// # Errors
     /// What is wrong with it.
     pub fn literal(&self, text: &str) -> Result<Literal> {
-        let literal = self.state.literal(text, &Vec::new());
-        let literal = literal.or_else(|e| fault("expression", e))?;
+        let literal = self.state.literal(text, &Vec::new())?;
         is_affine(&literal.poly, text, &self.state)?;
         Ok(literal)
     }
@@ -114,9 +115,7 @@ impl<'c> System<'c> {
     /// There are more or fewer numbers than variables.
     pub fn placed(&self, rule: &'static str, numbers: &[Number]) -> Result<Values<'c>> {
         let (found, expected) = (numbers.len(), self.written.state.len());
-        need(found == expected, rule, || {
-            format!("a start of {found} numbers: expected {expected}")
-        })?;
+        ensure!(found == expected, rule, "a start of {found} numbers: expected {expected}");
         let values = numbers.iter().cloned().map(Poly::constant);
         Ok(self.written.state.iter().map(String::as_str).zip(values).collect())
     }
@@ -133,7 +132,7 @@ impl<'c> System<'c> {
         for atom in &occur {
             let Atom::Var(name) = atom else { continue };
             let Some([low, high]) = self.written.parameters.0.get(&**name) else { continue };
-            need(charge(128 * all.len() as u64), "work", || "more than a file is allowed")?;
+            spend(128 * all.len() as u64)?;
             let ends = BTreeSet::from([low, high]);
             let there = |forms: &Vec<Poly>, end: &Number| -> Vec<Poly> {
                 let end = Values::from([(&**name, Poly::constant(end.clone()))]);
@@ -150,9 +149,15 @@ impl<'c> System<'c> {
         joined(named, ", ")
     }
 
-    /// The system in words, with the values of parameters that are given for the whole run, and what is assumed of the start.
-    pub fn words(&self, with: &Named<Number>, assumed: &[Literal]) -> String {
-        let mut words = format!("a linear system of {}", joined(&self.written.state, ", "));
+    /// The system in words: what it is, its modes, the ranges of parameters but for those that have a value in the whole run, and
+    /// what is assumed of the start.
+    pub fn words(
+        &self,
+        [what, each]: [&str; 2],
+        with: &Named<Number>,
+        assumed: &[Literal],
+    ) -> String {
+        let mut words = format!("{what} {}", joined(&self.written.state, ", "));
         for (name, rows) in &self.modes {
             let rows = rows.iter().map(|(v, row)| format!("{v}' = {row}"));
             words += &format!("\n  mode {name}: {}", joined(rows, ", "));
@@ -160,7 +165,7 @@ impl<'c> System<'c> {
         for (name, [low, high]) in &self.written.parameters.0 {
             words += &match with.0.get(name) {
                 Some(value) => format!("\n  in every step {name} = {value}"),
-                None => format!("\n  in each step any {name} in [{low}, {high}]"),
+                None => format!("\n  {each} any {name} in [{low}, {high}]"),
             };
         }
         if !assumed.is_empty() {
@@ -168,4 +173,10 @@ impl<'c> System<'c> {
         }
         words
     }
+}
+
+/// The constant of an affine polynomial, and its coefficients.
+pub fn coefficients(poly: &Poly, names: &[String]) -> (Number, Vec<Number>) {
+    let entry = |name: &String| poly.coefficient(&[Atom::Var(name.as_str().into())]);
+    (poly.coefficient(&[]), names.iter().map(entry).collect())
 }

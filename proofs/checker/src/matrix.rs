@@ -1,6 +1,6 @@
 //! Exact matrices, and the definiteness of quadratic forms.
 
-use crate::fault::{Result, need};
+use crate::fault::{Result, ensure};
 use crate::number::{Number, exhausted};
 
 /// A matrix by its rows.
@@ -12,7 +12,7 @@ pub type Matrix = Vec<Vec<Number>>;
 /// The rows do not have 1, 2, ..., `size` numbers.
 pub fn symmetric(rule: &'static str, triangle: &[Vec<Number>], size: usize) -> Result<Matrix> {
     let fits = triangle.iter().map(Vec::len).eq(1..=size);
-    need(fits, rule, || format!("a lower triangle of {size} rows is expected"))?;
+    ensure!(fits, rule, "a lower triangle of {size} rows is expected");
     let entry = |i: usize, j: usize| triangle[i.max(j)][i.min(j)].clone();
     Ok((0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect())
 }
@@ -36,6 +36,21 @@ pub fn congruent(a: &Matrix, p: &Matrix) -> Matrix {
     let column = |k: usize| a.iter().map(|row| row[k].clone()).collect();
     let transposed: Matrix = (0..a.first().map_or(0, Vec::len)).map(column).collect();
     product(&product(&transposed, p), a)
+}
+
+/// The product of two vectors.
+pub fn dot(a: &[Number], b: &[Number]) -> Number {
+    a.iter().zip(b).fold(Number::whole(0), |sum, (x, y)| sum + &(x.clone() * y))
+}
+
+/// The matrix with one more row and column: m, then column and corner.
+pub fn bordered(mut m: Matrix, mut column: Vec<Number>, corner: Number) -> Matrix {
+    for (row, x) in m.iter_mut().zip(&column) {
+        row.push(x.clone());
+    }
+    column.push(corner);
+    m.push(column);
+    m
 }
 
 /// c a - b.

@@ -9,6 +9,8 @@ use cordon_spec::{Ordered, Scalar};
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 
+use crate::fault::{Result, ensure};
+
 type Rational = num_rational::BigRational;
 
 /// Work allowed a file: 128 an operation on short numbers or a name read, more as [`charge`]'s callers say.
@@ -43,6 +45,15 @@ pub fn charge(work: u64) -> bool {
     LEFT.get() > 0
 }
 
+/// Counts some work.
+///
+/// # Errors
+/// It is more than is allowed.
+pub fn spend(work: u64) -> Result<()> {
+    ensure!(charge(work), "work", "more than a file is allowed");
+    Ok(())
+}
+
 /// An exact rational. Once no work is left every result is 0, whatever the operands: whoever
 /// judges by such numbers has to ask [`exhausted`] before believing them.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -53,14 +64,11 @@ impl Number {
     ///
     /// # Errors
     /// No such number.
-    pub fn read(text: &str) -> Result<Self, String> {
+    pub fn read(text: &str) -> std::result::Result<Self, String> {
         let (num, den) = text.split_once('/').unwrap_or((text, "1"));
         let digits = |t: &str| !t.is_empty() && t.bytes().all(|b| b.is_ascii_digit());
-        if text.len() > MAX_NUMBER
-            || !digits(num.strip_prefix('-').unwrap_or(num))
-            || !digits(den)
-            || !charge((text.len() as u64 / 64).pow(2))
-        {
+        let short = text.len() <= MAX_NUMBER && charge((text.len() as u64 / 64).pow(2));
+        if !short || !digits(num.strip_prefix('-').unwrap_or(num)) || !digits(den) {
             return Err(format!(
                 "`{text:.40}`: expected an integer or a fraction like `-3/4`, of at most {MAX_NUMBER} characters"
             ));
@@ -112,10 +120,10 @@ impl Number {
         self.0.numer().bits() / 64 + self.0.denom().bits() / 64
     }
 
-    /// Charges an operation on the two, which costs at most the square of their length.
+    /// Charges an operation on the two, which costs at most the square of their length: common divisors are sought bit by bit.
     fn charged(&self, other: &Self, result: impl FnOnce() -> Rational) -> Self {
         let words = self.words() + other.words();
-        Self(if charge(128 + words * words / 2) { result() } else { Rational::zero() })
+        Self(if charge(128 + 3 * words * words / 2) { result() } else { Rational::zero() })
     }
 }
 
@@ -125,29 +133,20 @@ impl fmt::Display for Number {
     }
 }
 
-impl Add<&Self> for Number {
-    type Output = Self;
-
-    fn add(self, other: &Self) -> Self {
-        self.charged(other, || &self.0 + &other.0)
-    }
+macro_rules! operations {
+    ($($name:ident $method:ident $op:tt;)*) => {$(
+        impl $name<&Self> for Number {
+            type Output = Self;
+            fn $method(self, other: &Self) -> Self {
+                let whole = self.0.is_integer() && other.0.is_integer();
+                // Without denominators there is nothing to reduce.
+                let short = || Rational::from_integer(self.0.numer() $op other.0.numer());
+                self.charged(other, || if whole { short() } else { &self.0 $op &other.0 })
+            }
+        }
+    )*};
 }
-
-impl Sub<&Self> for Number {
-    type Output = Self;
-
-    fn sub(self, other: &Self) -> Self {
-        self.charged(other, || &self.0 - &other.0)
-    }
-}
-
-impl Mul<&Self> for Number {
-    type Output = Self;
-
-    fn mul(self, other: &Self) -> Self {
-        self.charged(other, || &self.0 * &other.0)
-    }
-}
+operations! { Add add +; Sub sub -; Mul mul *; }
 
 impl Scalar for Number {
     fn from_int(n: i32) -> Self {

@@ -1,12 +1,12 @@
 //! Limits of readouts of linear systems, by quadratic forms.
 
 use crate::expr::{Signature, joined};
-use crate::fault::{Result, fault, need};
+use crate::fault::{Result, Shown, ensure, fault};
 use crate::format::{Named, Quadratic};
-use crate::linear::{System, Values, affine, at, reals};
+use crate::linear::{STEPS, System, Values, affine, at, coefficients, reals};
 use crate::matrix::{Matrix, congruent, definite, difference, symmetric};
 use crate::number::Number;
-use crate::poly::{Atom, Poly};
+use crate::poly::Poly;
 
 const RULE: &str = "quadratic";
 
@@ -18,14 +18,16 @@ const MAX_READOUTS: usize = 200;
 ///
 /// # Errors
 /// What is wrong with it.
-pub fn quadratic(c: &Quadratic) -> Result<(String, usize)> {
+pub fn quadratic(c: &Quadratic) -> Result<Shown> {
     let (system, size) = (System::read(&c.system)?, c.readouts.len());
-    need((1..=MAX_READOUTS).contains(&size), RULE, || {
-        format!("{size} readouts: expected 1 to {MAX_READOUTS}")
-    })?;
+    ensure!(
+        (1..=MAX_READOUTS).contains(&size),
+        RULE,
+        "{size} readouts: expected 1 to {MAX_READOUTS}"
+    );
     let fits =
         c.maps.0.len() == system.modes.len() && c.matrix.is_some() == c.matrices.0.is_empty();
-    need(fits, RULE, || "a map for each mode is expected, and `matrix` or `matrices`")?;
+    ensure!(fits, RULE, "a map for each mode is expected, and `matrix` or `matrices`");
     let form = |mode: &&str| match c.matrix.as_ref().or_else(|| c.matrices.0.get(*mode)) {
         Some(triangle) => symmetric(RULE, triangle, size),
         None => fault(RULE, format!("no matrix of mode `{mode:.40}`")),
@@ -53,13 +55,11 @@ pub fn quadratic(c: &Quadratic) -> Result<(String, usize)> {
         let map =
             written.iter().map(|t| affine(t, &known, &coordinates)).collect::<Result<Vec<_>>>()?;
         let rows = map.len();
-        need(rows == size, RULE, || {
-            format!("mode `{mode:.40}`: {rows} rows of the map: expected {size}")
-        })?;
+        ensure!(rows == size, RULE, "mode `{mode:.40}`: {rows} rows of the map: expected {size}");
         for (j, (row, readout)) in map.iter().zip(&readouts).enumerate() {
             let is = linear(row, &coordinates) && at(row, &meaning) == at(readout, made);
             let what = "is not what a step makes of the readout";
-            need(is, RULE, || format!("mode `{mode:.40}`: row {j} of the map {what}"))?;
+            ensure!(is, RULE, "mode `{mode:.40}`: row {j} of the map {what}");
         }
         let (measures, how) = match &start {
             None => (definite(form.clone(), true), "the matrix is not positive definite"),
@@ -67,17 +67,12 @@ pub fn quadratic(c: &Quadratic) -> Result<(String, usize)> {
                 (congruent(y, form)[0][0].is_positive(), "the form is not above 0 at the start")
             }
         };
-        need(measures, RULE, || format!("mode `{mode:.40}`: {how}"))?;
+        ensure!(measures, RULE, "mode `{mode:.40}`: {how}");
         let vertices = system.vertices(&map)?;
         let one = start.is_none() || vertices.len() == 1;
-        need(one, RULE, || {
-            format!("mode `{mode:.40}`: growth is shown for one value of each parameter")
-        })?;
+        ensure!(one, RULE, "mode `{mode:.40}`: growth is shown for one value of each parameter");
         for (vertex, map) in vertices.iter().enumerate() {
-            let entry =
-                |row: &Poly, name: &String| row.coefficient(&[Atom::Var(name.as_str().into())]);
-            let a: Matrix =
-                map.iter().map(|row| names.iter().map(|n| entry(row, n)).collect()).collect();
+            let a: Matrix = map.iter().map(|row| coefficients(row, &names).1).collect();
             for target in targets {
                 let moved = congruent(&a, target);
                 let (left, way) = match &c.rate {
@@ -87,7 +82,7 @@ pub fn quadratic(c: &Quadratic) -> Result<(String, usize)> {
                     None => (difference(&Number::whole(1), &moved, form), "may fall"),
                 };
                 let kept = definite(left, false);
-                need(kept, RULE, || format!("mode `{mode:.40}`: vertex {vertex}: the form {way}"))?;
+                ensure!(kept, RULE, "mode `{mode:.40}`: vertex {vertex}: the form {way}");
                 proved += 1;
             }
         }
@@ -102,7 +97,7 @@ pub fn quadratic(c: &Quadratic) -> Result<(String, usize)> {
             format!("from {start}{modes}: these do not all tend to 0")
         }
     };
-    let words = system.words(&Named::default(), &[]);
+    let words = system.words(STEPS, &Named::default(), &[]);
     Ok((format!("{words}\n  proved {said}: {}", joined(readouts, ", ")), proved))
 }
 

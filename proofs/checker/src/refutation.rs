@@ -7,9 +7,9 @@ use cordon_spec::theorems::{Setting, Subject, Theorem, Truth, Verdict, Violation
 use cordon_spec::{Params, State};
 
 use crate::expr::Literal;
-use crate::fault::{Result, fault, need};
+use crate::fault::{Result, Shown, ensure, fault};
 use crate::format::{Counterexample, Delay, Named, Refutation};
-use crate::linear::{System, Values, at};
+use crate::linear::{STEPS, System, Values, at};
 use crate::number::{Number, charge, exhausted};
 use crate::poly::Poly;
 use crate::system::named;
@@ -21,7 +21,7 @@ const MAX_DRONES: usize = 10_000;
 
 /// `counterexample`: a run of a linear system, from a start that meets what is assumed to a state in which what is
 /// claimed fails. A parameter has one value in the whole run, or one in each step.
-pub fn counterexample(c: &Counterexample) -> Result<String> {
+pub fn counterexample(c: &Counterexample) -> Result<Shown> {
     const RULE: &str = "counterexample";
     let (system, ranges) = (System::read(&c.system)?, &c.system.parameters.0);
     let assumed = c.assumptions.iter().map(|l| system.literal(l)).collect::<Result<Vec<_>>>()?;
@@ -29,15 +29,17 @@ pub fn counterexample(c: &Counterexample) -> Result<String> {
     let mut state = system.placed(RULE, &c.start)?;
     let holds = |l: &Literal, state: &Values<'_>| l.map(|p| at(p, state)).decided() == Some(true);
     for literal in &assumed {
-        need(holds(literal, &state), RULE, || format!("the start does not meet {literal}"))?;
+        ensure!(holds(literal, &state), RULE, "the start does not meet {literal}");
     }
     let values = |given| -> Result<Values<'_>> {
         let Named(given): &Named<Number> = given;
         for (name, value) in given {
             let within = ranges.get(name).is_some_and(|[low, high]| low <= value && value <= high);
-            need(within, RULE, || {
-                format!("`{name:.40}` = {value:.40} is out of its range, or no parameter")
-            })?;
+            ensure!(
+                within,
+                RULE,
+                "`{name:.40}` = {value:.40} is out of its range, or no parameter"
+            );
         }
         Ok(given.iter().map(|(n, v)| (n.as_str(), Poly::constant(v.clone()))).collect())
     };
@@ -46,7 +48,7 @@ pub fn counterexample(c: &Counterexample) -> Result<String> {
         let chosen = values(&step.with)?;
         let once = chosen.keys().all(|name| !constant.contains_key(name));
         let each = once && chosen.len() + constant.len() == ranges.len();
-        need(each, RULE, || format!("step {k}: each parameter needs one value"))?;
+        ensure!(each, RULE, "step {k}: each parameter needs one value");
         let rows = system.rows(&step.by)?;
         charge(128 * rows.len() as u64);
         let value = |v: &str| [&state, &chosen, &constant].into_iter().find_map(|all| all.get(v));
@@ -55,15 +57,15 @@ pub fn counterexample(c: &Counterexample) -> Result<String> {
         state.extend(after);
     }
     let step = c.steps.len();
-    need(!holds(&claim, &state), RULE, || format!("at step {step} the claim holds"))?;
+    ensure!(!holds(&claim, &state), RULE, "at step {step} the claim holds");
     let start = system.start(&c.start);
-    let words = system.words(&c.with, &assumed);
-    Ok(format!("{words}\n  refuted at step {step}: {claim}, by a run from {start}"))
+    let words = system.words(STEPS, &c.with, &assumed);
+    Ok((format!("{words}\n  refuted at step {step}: {claim}, by a run from {start}"), 1))
 }
 
 /// `refutation`: a run of the spec, on exact rationals, that meets the hypothesis and for which the
 /// spec's own conclusion answers what is stated.
-pub fn refutation(c: &Refutation) -> Result<String> {
+pub fn refutation(c: &Refutation) -> Result<Shown> {
     let (theorem, form) = named(&c.theorem, &c.form)?;
     let (count, step) = (c.start.len(), c.step as usize);
     // Their finite conclusions say what the theorem says of full steps without delay only: the energy
@@ -71,12 +73,10 @@ pub fn refutation(c: &Refutation) -> Result<String> {
     let finite = [Theorem::Limit, Theorem::ConstantSum, Theorem::GloballyIncreasing];
     let full = c.activation.is_none() && c.delay.is_none();
     let decides = full || !finite.contains(&theorem);
-    need(decides, RULE, || format!("a run of other steps decides nothing about {}", c.theorem))?;
+    ensure!(decides, RULE, "a run of other steps decides nothing about {}", c.theorem);
     let few = (3..=MAX_DRONES).contains(&count) && step <= MAX_DRONES;
-    need(few, RULE, || {
-        format!("expected 3 to {MAX_DRONES} drones and at most {MAX_DRONES} steps")
-    })?;
-    need(c.min < c.max, RULE, || "min is not below max")?;
+    ensure!(few, RULE, "expected 3 to {MAX_DRONES} drones and at most {MAX_DRONES} steps");
+    ensure!(c.min < c.max, RULE, "min is not below max");
     let params = Params { min: c.min.clone(), max: c.max.clone(), eps: c.eps.clone(), n: 0 };
     let setting = Setting::from(&params);
     let hypothesis = theorem.hypothesis(form);
@@ -85,7 +85,7 @@ pub fn refutation(c: &Refutation) -> Result<String> {
         Some("any") => hypothesis.starts.contains(&setting, &c.start),
         Some(_) => return fault(RULE, "`weights`: expected `any`"),
     };
-    need(met == Truth::True, RULE, || "the hypothesis is not met")?;
+    ensure!(met == Truth::True, RULE, "the hypothesis is not met");
     let run = run(c, &params, step + theorem.span(form, count))?;
     let subject = match (c.violation.subject.as_str(), c.violation.at) {
         ("pair", Some(i)) => Subject::Pair(i),
@@ -96,7 +96,7 @@ pub fn refutation(c: &Refutation) -> Result<String> {
     };
     let stated = Verdict::Violated(Violation { step: c.violation.step, subject });
     let answer = theorem.conclusion(form, &setting, run.get(step..).unwrap_or_default());
-    need(answer == stated, RULE, || "the conclusion does not answer the stated violation")?;
+    ensure!(answer == stated, RULE, "the conclusion does not answer the stated violation");
     let exempt = if c.weights.is_some() { ", any weight" } else { "" };
     let how = match (&c.activation, &c.delay) {
         (Some(_), _) => ", with drones skipping steps",
@@ -104,10 +104,8 @@ pub fn refutation(c: &Refutation) -> Result<String> {
         _ => "",
     };
     let (eps, at) = (&c.eps, step + c.violation.step);
-    Ok(format!(
-        "{} ({}{exempt}{how}) is false: N = {count}, eps = {eps}, step {at}",
-        c.theorem, c.form
-    ))
+    let what = format!("{} ({}{exempt}{how})", c.theorem, c.form);
+    Ok((format!("{what} is violated: N = {count}, eps = {eps}, step {at}"), 1))
 }
 
 /// X^0 .. X^steps.
@@ -115,7 +113,7 @@ fn run(c: &Refutation, params: &Params<Number>, steps: usize) -> Result<Vec<Vec<
     let count = c.start.len();
     let lengths = [c.activation.as_ref().map(Vec::len), c.delay.as_ref().map(Vec::len)];
     let fits = lengths.iter().flatten().all(|l| *l == steps) && lengths.contains(&None);
-    need(fits, RULE, || format!("expected one schedule at most, of {steps} steps"))?;
+    ensure!(fits, RULE, "expected one schedule at most, of {steps} steps");
     let mut run = vec![c.start.clone()];
     for t in 0..steps {
         if exhausted() {
@@ -125,14 +123,14 @@ fn run(c: &Refutation, params: &Params<Number>, steps: usize) -> Result<Vec<Vec<
         let next = if let Some(active) = &c.activation {
             let sound =
                 active[t].is_sorted_by(|a, b| a < b) && active[t].iter().all(|i| *i < count);
-            need(sound, RULE, || format!("step {t}: expected ascending drones below {count}"))?;
+            ensure!(sound, RULE, "step {t}: expected ascending drones below {count}");
             exec_coverage_active(params, &state, |i| active[t].binary_search(&i).is_ok())
         } else if let Some(delays) = &c.delay {
             let pair = |d: &Delay| (d.drone, d.sees);
             let sound = |d: &Delay| d.drone < count && d.sees < count && (1..=t).contains(&d.age);
             let all =
                 delays[t].is_sorted_by(|a, b| pair(a) < pair(b)) && delays[t].iter().all(sound);
-            need(all, RULE, || format!("step {t}: expected ascending pairs, 1 <= age <= {t}"))?;
+            ensure!(all, RULE, "step {t}: expected ascending pairs, 1 <= age <= {t}");
             exec_coverage_delayed(params, &state, |i, j| {
                 match delays[t].binary_search_by_key(&(i, j), pair) {
                     Ok(at) => &run[t - delays[t][at].age][j],

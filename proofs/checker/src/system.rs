@@ -6,6 +6,7 @@
 //! that the spec's own step, run on a row of symbols around one member, is the step of all.
 //! The checker's tests confirm that by execution for every i and N up to 16.
 
+use std::collections::BTreeSet;
 use std::num::NonZeroU32;
 
 use cordon_spec::activation::exec_coverage_active;
@@ -19,7 +20,7 @@ use cordon_spec::{Params, Scalar, State};
 
 use crate::expr::Relation::{NonNegative, Zero};
 use crate::expr::{Literal, Sort, Vars};
-use crate::fault::{Result, fault, need};
+use crate::fault::{Result, ensure, fault};
 use crate::format::{Family, Range, System};
 use crate::kernel::{Clause, Facts, Kernel};
 use crate::number::Number;
@@ -55,6 +56,28 @@ fn var(name: &str) -> Poly {
 const INSIDE: &str = "i: i - 1 >= 0; n: last - 1 - i >= 0";
 const INNER: &str = "k: k >= 0; i: i - 1 >= 0; n: last - 1 - i >= 0";
 
+const BELOW_CRITICAL: [[&str; 4]; 5] = [
+    ["weight.low", "", "", "eps > 0"],
+    ["minor.0", "", "", "minor(0) = 0"],
+    ["minor.1", "", "", "minor(1) = 1"],
+    ["minor.step", "i", INSIDE, "minor(i+1) = 2*(1 - eps)*minor(i) - eps*eps*minor(i-1)"],
+    ["minor.positive", "i", "i: i - 1 >= 0; n: last - i >= 0", "minor(i) > 0"],
+];
+
+/// Clauses of starts: the end drones stand at the ends; all are in order, in the first subsegment, or below their targets.
+const STARTS: [[&str; 4]; 5] = [
+    ["start.first", "", "", "x(0,0) = min"],
+    ["start.last", "", "", "x(0,last) = max"],
+    ["start.order", "i", "i: i >= 0; n: last - i - 1 >= 0", "x(0,i+1) - x(0,i) > 0"],
+    ["start.segment", "i", INSIDE, "last*min + (max - min) - last*x(0,i) > 0"],
+    [
+        "start.bound",
+        "i",
+        "i: i >= 0; n: last - i >= 0",
+        "last*min + i*(max - min) - last*x(0,i) >= 0",
+    ],
+];
+
 /// The system as it is built.
 struct Builder<'k> {
     kernel: &'k mut Kernel,
@@ -78,7 +101,7 @@ pub fn install(system: &System, kernel: &mut Kernel, step: Step) -> Result<Strin
     if system.protocol != "consensus" {
         b.constant("min", Sort::Real);
         b.constant("max", Sort::Real);
-        b.say("segment", "", "", "max > min")?;
+        b.say(&[["segment", "", "", "max > min"]])?;
     }
     b.within("weight", "eps", &system.weights.from, &system.weights.to)?;
     if let Some(of) = &system.weights.of {
@@ -86,9 +109,15 @@ pub fn install(system: &System, kernel: &mut Kernel, step: Step) -> Result<Strin
         b.weights(theorem.hypothesis(form).weights)?;
     }
     if let Some(h) = &system.starts {
-        need(system.protocol != "consensus", "system", || "starts of coverage only")?;
+        ensure!(system.protocol != "consensus", "system", "starts of coverage only");
         let (theorem, form) = named(&h.theorem, &h.form)?;
-        b.starts(theorem.hypothesis(form).starts)?;
+        b.say(&STARTS[..2])?;
+        b.say(match theorem.hypothesis(form).starts {
+            StartSet::Any => &[],
+            StartSet::Ordered => &STARTS[2..3],
+            StartSet::FirstSubsegment => &STARTS[2..4],
+            StartSet::UpperBounded => &STARTS[4..],
+        })?;
     }
     // What the spec does is not repeated in words.
     b.told = false;
@@ -113,8 +142,7 @@ pub fn install(system: &System, kernel: &mut Kernel, step: Step) -> Result<Strin
 pub fn family(f: &Family, kernel: &mut Kernel) -> Result<String> {
     let mut b = Builder::new(f.drones, kernel)?;
     for (name, Range { from, to }) in &f.parameters.0 {
-        b.kernel.fresh(name, &Vars::new())?;
-        b.constant(name, Sort::Real);
+        b.kernel.constant(name, Sort::Real)?;
         b.within(name, name, from, to)?;
     }
     for name in &f.state {
@@ -127,22 +155,19 @@ pub fn family(f: &Family, kernel: &mut Kernel) -> Result<String> {
         _ => return fault("system", "expected `line` or `ring`"),
     };
     let ring = f.topology == "ring";
-    let known = |class: &String| classes.contains(&class.as_str());
-    let complete = f.rules.0.len() == if ring { 1 } else { 3 } && f.rules.0.keys().all(known);
-    let functions = &b.kernel.signature.functions;
-    let variable = |v: &String| functions.contains_key(v.as_str());
-    let variables = f.rules.0.values().flat_map(|r| r.0.keys()).all(variable);
     let classes_of = if ring { "all" } else { "first, inner, last" };
-    need(complete && variables, "system", || {
-        format!("expected rules for {classes_of}, of variables")
-    })?;
+    let complete = BTreeSet::from(classes).into_iter().eq(f.rules.0.keys().map(String::as_str));
+    let functions = &b.kernel.signature.functions;
+    let variables =
+        f.rules.0.values().flat_map(|r| r.0.keys()).all(|v| functions.contains_key(v.as_str()));
+    ensure!(complete && variables, "system", "expected rules for {classes_of}, of variables");
     let (k, i, one, last) = (var("k"), var("i"), int(1), b.last.clone());
     let vars = ["k", "i"].map(|v| (v.into(), Sort::Integer)).to_vec();
     for name in &f.state {
         let kept = format!("{name}(k,i)");
         let read = |class| {
             let text = f.rules.0.get(class).and_then(|r| r.0.get(name)).unwrap_or(&kept);
-            Ok((text, b.kernel.poly(text, &vars, false)?))
+            Ok((text, b.kernel.signature.poly(text, &vars, false)?))
         };
         let rules = classes.into_iter().map(read).collect::<Result<Vec<_>>>()?;
         b.step(&format!("step.{name}"), name, &|row, at| {
@@ -164,7 +189,7 @@ pub fn family(f: &Family, kernel: &mut Kernel) -> Result<String> {
             };
             let (text, rule) = &rules[at / 2];
             let strange = rule.any(&|a| matches!(a, Atom::App(..)) && place(a).is_none());
-            need(!strange, "system", || format!("`{text:.60}` speaks of other agents or steps"))?;
+            ensure!(!strange, "system", "`{text:.60}` speaks of other agents or steps");
             let own_index = |a: &Atom| (*a == Atom::Var("i".into())).then(|| own.clone());
             Ok(rule.substitute(&|a| place(a).or_else(|| own_index(a))))
         })?;
@@ -185,8 +210,7 @@ impl<'k> Builder<'k> {
         if drones.is_none() {
             b.constant("last", Sort::Integer);
         }
-        b.say("n", "", "", "last - 2 >= 0")?;
-        b.say("last", "", "", "last > 0")?;
+        b.say(&[["n", "", "", "last - 2 >= 0"], ["last", "", "", "last > 0"]])?;
         b.told = true;
         Ok(b)
     }
@@ -221,16 +245,19 @@ impl<'k> Builder<'k> {
         let vars: Vars = vars.split_whitespace().map(|v| (v.into(), Sort::Integer)).collect();
         let mut facts = Facts::new();
         for (name, holds) in given.split("; ").filter_map(|g| g.split_once(": ")) {
-            facts.insert(name.into(), self.kernel.literal(holds, &vars)?);
+            facts.insert(name.into(), self.kernel.signature.literal(holds, &vars)?);
         }
         Ok((vars, facts))
     }
 
-    /// Adds a clause over integers.
-    fn say(&mut self, name: &str, vars: &str, given: &str, goal: &str) -> Result<()> {
-        let (vars, given) = self.given(vars, given)?;
-        let goal = self.kernel.literal(goal, &vars)?;
-        self.add(name, Clause { vars, given, goal })
+    /// Adds clauses over integers: name, variables, literals given, goal.
+    fn say(&mut self, clauses: &[[&str; 4]]) -> Result<()> {
+        for [name, vars, given, goal] in clauses {
+            let (vars, given) = self.given(vars, given)?;
+            let goal = self.kernel.signature.literal(goal, &vars)?;
+            self.add(name, Clause { vars, given, goal })?;
+        }
+        Ok(())
     }
 
     /// Adds that a constant is in a range.
@@ -263,43 +290,15 @@ impl<'k> Builder<'k> {
             WeightRange::PositiveUpToHalf => ("eps > 0", "1 - 2*eps >= 0"),
             WeightRange::BelowCritical => {
                 self.function("minor", 1, Sort::Real);
-                let next = "minor(i+1) = 2*(1 - eps)*minor(i) - eps*eps*minor(i-1)";
-                self.say("weight.low", "", "", "eps > 0")?;
-                self.say("minor.0", "", "", "minor(0) = 0")?;
-                self.say("minor.1", "", "", "minor(1) = 1")?;
-                self.say("minor.step", "i", INSIDE, next)?;
-                let upto = "i: i - 1 >= 0; n: last - i >= 0";
-                return self.say("minor.positive", "i", upto, "minor(i) > 0");
+                return self.say(&BELOW_CRITICAL);
             }
         };
-        self.say("weight.low", "", "", low)?;
-        self.say("weight.high", "", "", high)?;
+        self.say(&[["weight.low", "", "", low], ["weight.high", "", "", high]])?;
         match range {
             WeightRange::UpToHalfOrOne => {
-                self.say("weight.four", "", "four: last - 3 >= 0", "1 - 2*eps >= 0")
+                self.say(&[["weight.four", "", "four: last - 3 >= 0", "1 - 2*eps >= 0"]])
             }
             _ => Ok(()),
-        }
-    }
-
-    /// The start set in literals.
-    fn starts(&mut self, set: StartSet) -> Result<()> {
-        self.say("start.first", "", "", "x(0,0) = min")?;
-        self.say("start.last", "", "", "x(0,last) = max")?;
-        if matches!(set, StartSet::Ordered | StartSet::FirstSubsegment) {
-            let pairs = "i: i >= 0; n: last - i - 1 >= 0";
-            self.say("start.order", "i", pairs, "x(0,i+1) - x(0,i) > 0")?;
-        }
-        match set {
-            StartSet::Any | StartSet::Ordered => Ok(()),
-            StartSet::FirstSubsegment => {
-                let room = "last*min + (max - min) - last*x(0,i) > 0";
-                self.say("start.segment", "i", INSIDE, room)
-            }
-            StartSet::UpperBounded => {
-                let error = "last*min + i*(max - min) - last*x(0,i) >= 0";
-                self.say("start.bound", "i", "i: i >= 0; n: last - i >= 0", error)
-            }
         }
     }
 
@@ -342,8 +341,10 @@ impl<'k> Builder<'k> {
             "activation" => {
                 // active(k,i) = 1 where drone i updates in step k, 0 where it does not.
                 self.function("active", 2, Sort::Integer);
-                self.say("active.low", "k i", "", "active(k,i) >= 0")?;
-                self.say("active.high", "k i", "", "1 - active(k,i) >= 0")?;
+                self.say(&[
+                    ["active.low", "k i", "", "active(k,i) >= 0"],
+                    ["active.high", "k i", "", "1 - active(k,i) >= 0"],
+                ])?;
                 self.step("step", "x", &|row, at| {
                     let next = |yes: bool| {
                         exec_coverage_active(&params, &state(row), |j| yes || j != at).drones[at]
@@ -356,8 +357,10 @@ impl<'k> Builder<'k> {
             "delay" => {
                 // Drone i sees drone j in step k where it was at step seen(k,i,j).
                 self.function("seen", 3, Sort::Integer);
-                self.say("seen.low", "k i j", "k: k >= 0", "seen(k,i,j) >= 0")?;
-                self.say("seen.high", "k i j", "k: k >= 0", "k - seen(k,i,j) >= 0")?;
+                self.say(&[
+                    ["seen.low", "k i j", "k: k >= 0", "seen(k,i,j) >= 0"],
+                    ["seen.high", "k i j", "k: k >= 0", "k - seen(k,i,j) >= 0"],
+                ])?;
                 self.step("step", "x", &|row, at| {
                     let seen = |j: &Poly| {
                         let when = Poly::app("seen", &[var("k"), row[at].clone(), j.clone()]);
@@ -408,7 +411,7 @@ impl<'k> Builder<'k> {
                 .map(|t| fmu_tick(&local, machines(row, t, [&own, &prec, &foll])[at].clone()));
             let counted = [n, n - 1].map(|t| tick(&p, global(row, t)).timesteps);
             let agree = moved.iter().zip(counted).all(|(m, c)| m.timesteps == c && m.st.id == at);
-            need(agree, "system", || "counters or identifiers differ")?;
+            ensure!(agree, "system", "counters or identifiers differ");
             Ok(mixed(&share, moved.map(|m| m.st.own)))
         })?;
         let after = field("own", var("k") + &int(1));

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use cordon_spec::{Params, Scalar, State};
 
-use crate::fault::{Result, fault, need};
+use crate::fault::{Result, Shown, ensure, fault};
 use crate::format::{Contraction, Growth};
 use crate::number::Number;
 use crate::poly::{Atom, Poly};
@@ -26,19 +26,17 @@ fn rows(
 ) -> Result<bool> {
     let count = drones as usize;
     let few = (3..=MAX_DRONES).contains(&count);
-    need(few, rule, || format!("{drones} drones: expected 3 to {MAX_DRONES}"))?;
-    need(w.len() == count - 2, rule, || {
-        format!("vector of {} entries: expected {}", w.len(), count - 2)
-    })?;
+    ensure!(few, rule, "{drones} drones: expected 3 to {MAX_DRONES}");
+    ensure!(w.len() == count - 2, rule, "vector of {} entries: expected {}", w.len(), count - 2);
     for (i, entry) in w.iter().enumerate() {
-        need(entry.is_positive(), rule, || format!("entry {i} of the vector is not above 0"))?;
+        ensure!(entry.is_positive(), rule, "entry {i} of the vector is not above 0");
     }
     let last = Poly::from_index(count - 1);
     let params =
         Params { min: Poly::default(), max: last.clone(), eps: Poly::constant(eps.clone()), n: 0 };
     let after = |drones: Vec<Poly>| step(&params, &State { drones, timesteps: 0 }).drones;
     let targets: Vec<Poly> = (0..count).map(Poly::from_index).collect();
-    need(after(targets.clone()) == targets, rule, || "the targets are not a fixed point")?;
+    ensure!(after(targets.clone()) == targets, rule, "the targets are not a fixed point");
     let name = |i: usize| Atom::App("x".into(), vec![Poly::from_index(i)]);
     let mut symbols: Vec<Poly> = (0..count).map(|i| Poly::atom(name(i))).collect();
     (symbols[0], symbols[count - 1]) = (Poly::default(), last);
@@ -61,29 +59,28 @@ fn rows(
 
 /// `contraction`: w > 0 and |A| w <= rate * w with 0 <= rate < 1. So max_i |e_i|/w_i falls by
 /// that rate in every step, from every start.
-pub fn contraction(c: &Contraction, step: Step) -> Result<String> {
+pub fn contraction(c: &Contraction, step: Step) -> Result<Shown> {
     const RULE: &str = "contraction";
     let falls = (Number::whole(0)..Number::whole(1)).contains(&c.rate);
-    need(falls, RULE, || "the rate is not in [0, 1)")?;
+    ensure!(falls, RULE, "the rate is not in [0, 1)");
     rows(RULE, (c.drones, &c.eps, &c.vector), step, |i, sum, w| {
-        need(sum <= c.rate.clone() * w, RULE, || format!("drone {i}: |A| w exceeds rate * w"))?;
+        ensure!(sum <= c.rate.clone() * w, RULE, "drone {i}: |A| w exceeds rate * w");
         Ok(())
     })?;
-    Ok(format!(
-        "N = {}, eps = {}: from every start all drones converge to their targets",
-        c.drones, c.eps
-    ))
+    let said = "from every start all drones converge to their targets";
+    Ok((format!("N = {}, eps = {}: {said}", c.drones, c.eps), 1))
 }
 
 /// `growth`: w > 0 and |A| w >= w, and with s_i = 1 or s_i = (-1)^i no s_i s_j a_ij has another
 /// sign than the rest. So from errors s_i w_i no cancellation occurs and |e_i^k| >= w_i for every k.
-pub fn growth(c: &Growth, step: Step) -> Result<String> {
+pub fn growth(c: &Growth, step: Step) -> Result<Shown> {
     const RULE: &str = "growth";
     let signs = rows(RULE, (c.drones, &c.eps, &c.vector), step, |i, sum, w| {
-        need(sum >= *w, RULE, || format!("drone {i}: |A| w is below w"))?;
+        ensure!(sum >= *w, RULE, "drone {i}: |A| w is below w");
         Ok(())
     })?;
     // True of every weight here; it would not be of another protocol.
-    need(signs, RULE, || "the signs of A allow cancellation")?;
-    Ok(format!("N = {}, eps = {}: from some start the drones do not converge", c.drones, c.eps))
+    ensure!(signs, RULE, "the signs of A allow cancellation");
+    let said = "from some start the drones do not converge";
+    Ok((format!("N = {}, eps = {}: {said}", c.drones, c.eps), 1))
 }

@@ -1,4 +1,4 @@
-(** The rules of the certificate checker's kernel (proofs/checker/src/kernel.rs) are sound: what they
+(** The rules of the certificate checker's kernel (proofs/checker/src/kernel/) are sound: what they
     derive is true. Clauses are embedded deeply, polynomials as the functions of a valuation
     that they denote; two polynomials that are equal as polynomials denote the same function. *)
 
@@ -377,44 +377,44 @@ Qed.
 
 End Kernel.
 
-(** Definition: recursion on an integer from [n] on, with [depth] first values, defines a function. *)
-Theorem definition_exists (base : list R) (step : Z -> (Z -> R) -> R) (scale : Z -> R) (n : Z) :
-  (forall z, scale z > 0) ->
-  (forall z f f', (forall j, (z <= j < z + Z.of_nat (length base))%Z -> f j = f' j) -> step z f = step z f') ->
-  exists f : Z -> R,
-    (forall j x, nth_error base j = Some x -> f (n + Z.of_nat j)%Z = x) /\
-    (forall z, (n <= z)%Z -> scale z * f (z + Z.of_nat (length base))%Z = step z f).
+(** Definition: for every value of the other arguments, recursion on an integer from [n] on, with [depth] first values, defines
+    a function. That [scale] is positive is known from [n] on only. *)
+Theorem definition_exists (P : Type) (depth : nat) (base : P -> nat -> R) (step : P -> Z -> (Z -> R) -> R)
+    (scale : P -> Z -> R) (n : Z) :
+  (forall p z, (n <= z)%Z -> scale p z > 0) ->
+  (forall p z f f', (forall j, (z <= j < z + Z.of_nat depth)%Z -> f j = f' j) -> step p z f = step p z f') ->
+  exists f : P -> Z -> R,
+    (forall p j, (j < depth)%nat -> f p (n + Z.of_nat j)%Z = base p j) /\
+    (forall p z, (n <= z)%Z -> scale p z * f p (z + Z.of_nat depth)%Z = step p z (f p)).
 Proof.
   intros Sc Ext.
   (* The values up to any height; each height keeps the values below it. *)
-  pose (d := length base).
-  pose (first := fun z => nth (Z.to_nat (z - n)) base 0).
-  pose (values := fix values (h : nat) : Z -> R :=
+  pose (values := fun p => fix values (h : nat) : Z -> R :=
     match h with
-    | O => first
-    | S h => fun z => if Z.eq_dec z (n + Z.of_nat (d + h))
-                      then step (n + Z.of_nat h)%Z (values h) / scale (n + Z.of_nat h)%Z
+    | O => fun z => base p (Z.to_nat (z - n))
+    | S h => fun z => if Z.eq_dec z (n + Z.of_nat (depth + h))
+                      then step p (n + Z.of_nat h)%Z (values h) / scale p (n + Z.of_nat h)%Z
                       else values h z
     end).
-  assert (Keep : forall h k z, (z < n + Z.of_nat (d + h))%Z -> values (h + k)%nat z = values h z).
-  { intros h k z L. induction k as [| k IH]; [rewrite Nat.add_0_r; reflexivity |].
-    rewrite Nat.add_succ_r. simpl. destruct (Z.eq_dec z (n + Z.of_nat (d + (h + k)))); [lia | exact IH]. }
-  exists (fun z => values (Z.to_nat (z - n + 1)) z). split.
-  - intros j x J. assert (j < d)%nat by (apply nth_error_Some; rewrite J; discriminate).
-    pose proof (Keep 0%nat (Z.to_nat (n + Z.of_nat j - n + 1)) (n + Z.of_nat j)%Z) as E.
-    rewrite Nat.add_0_l in E. rewrite E by lia. simpl. unfold first.
-    replace (Z.to_nat (n + Z.of_nat j - n)) with j by lia. apply nth_error_nth. exact J.
-  - intros z L. cbv beta. fold d. pose (h := Z.to_nat (z - n)).
+  assert (Keep : forall p h k z, (z < n + Z.of_nat (depth + h))%Z -> values p (h + k)%nat z = values p h z).
+  { intros p h k z L. induction k as [| k IH]; [rewrite Nat.add_0_r; reflexivity |].
+    rewrite Nat.add_succ_r. simpl. destruct (Z.eq_dec z (n + Z.of_nat (depth + (h + k)))); [lia | exact IH]. }
+  exists (fun p z => values p (Z.to_nat (z - n + 1)) z). split.
+  - intros p j J.
+    pose proof (Keep p 0%nat (Z.to_nat (n + Z.of_nat j - n + 1)) (n + Z.of_nat j)%Z) as E.
+    rewrite Nat.add_0_l in E. rewrite E by lia. simpl.
+    replace (Z.to_nat (n + Z.of_nat j - n)) with j by lia. reflexivity.
+  - intros p z L. cbv beta. pose (h := Z.to_nat (z - n)).
     assert (Hz : z = (n + Z.of_nat h)%Z) by (unfold h; lia).
-    pose proof (Keep (S h) d (z + Z.of_nat d)%Z) as E.
-    replace (Z.to_nat (z + Z.of_nat d - n + 1)) with (S h + d)%nat by lia.
+    pose proof (Keep p (S h) depth (z + Z.of_nat depth)%Z) as E.
+    replace (Z.to_nat (z + Z.of_nat depth - n + 1)) with (S h + depth)%nat by lia.
     rewrite E by lia. cbn [values].
-    destruct (Z.eq_dec (z + Z.of_nat d) (n + Z.of_nat (d + h))) as [_ | Ne]; [| lia].
-    rewrite <- Hz. pose proof (Sc z) as P. field_simplify; [| lra].
-    apply Ext. intros j J. fold d in J.
+    destruct (Z.eq_dec (z + Z.of_nat depth) (n + Z.of_nat (depth + h))) as [_ | Ne]; [| lia].
+    rewrite <- Hz. pose proof (Sc p z L) as Q. field_simplify; [| lra].
+    apply Ext. intros j J.
     destruct (Nat.le_gt_cases h (Z.to_nat (j - n + 1))) as [Le | Gt].
-    + pose proof (Keep h (Z.to_nat (j - n + 1) - h)%nat j) as Q.
-      replace (h + (Z.to_nat (j - n + 1) - h))%nat with (Z.to_nat (j - n + 1)) in Q by lia.
-      symmetry. apply Q. lia.
+    + pose proof (Keep p h (Z.to_nat (j - n + 1) - h)%nat j) as K.
+      replace (h + (Z.to_nat (j - n + 1) - h))%nat with (Z.to_nat (j - n + 1)) in K by lia.
+      symmetry. apply K. lia.
     + lia.
 Qed.

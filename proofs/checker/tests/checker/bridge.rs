@@ -1,21 +1,21 @@
 //! The clauses that the checker reads off the spec say what the spec does: of every drone of every
 //! swarm tried, of every start and of every weight tried.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use cordon_check::expr::Relation;
-use cordon_check::format::System;
+use cordon_check::format::{Family, System};
 use cordon_check::kernel::Kernel;
 use cordon_check::number::{Number, refill};
 use cordon_check::poly::{Atom, Poly};
-use cordon_check::system::{Step, install};
+use cordon_check::system::{Step, family, install};
 use cordon_check::{Verdict, check_of};
 use cordon_spec::activation::exec_coverage_active;
 use cordon_spec::consensus::exec_consensus;
 use cordon_spec::coverage::exec_coverage;
 use cordon_spec::delay::exec_coverage_delayed;
 use cordon_spec::graph::Path;
-use cordon_spec::theorems::{Form, Setting, Theorem, Truth};
+use cordon_spec::theorems::{Form, Setting, StartSet, Theorem, Truth, WeightRange};
 use cordon_spec::{Params, Scalar, State};
 use serde_json::{Value, json};
 
@@ -36,7 +36,7 @@ fn goal(kernel: &Kernel, name: &str, values: &[(&str, usize)]) -> Poly {
         let known = values.iter().find(|(v, _)| *a == Atom::Var((*v).into()));
         known.map(|(_, n)| Poly::from_index(*n))
     };
-    kernel.lemma(name).unwrap_or_else(|| panic!("{name}")).goal.poly.substitute(&value)
+    kernel.lemmas.get(name).unwrap_or_else(|| panic!("{name}")).goal.poly.substitute(&value)
 }
 
 /// For one N the words leave out what is no condition for it.
@@ -135,7 +135,7 @@ fn classes_stand_for_every_drone_of_every_swarm() {
 
 /// Whether a clause about the start and eps holds: for all i for which its literals given do.
 fn holds(kernel: &Kernel, name: &str, setting: &Setting<Number>, start: &[Number]) -> bool {
-    let clause = kernel.lemma(name).unwrap();
+    let clause = kernel.lemmas.get(name).unwrap();
     let last = start.len() - 1;
     let number = |p: &Poly, i: usize| -> Number {
         let value = |a: &Atom| {
@@ -189,7 +189,7 @@ fn hypotheses_are_those_of_the_spec() {
             let system = json!({ "protocol": "coverage", "steps": "full", "weights": { "of": of }, "starts": of });
             let kernel = kernel(&system);
             let there = |names: &[&'static str]| -> Vec<&'static str> {
-                names.iter().copied().filter(|n| kernel.lemma(n).is_some()).collect()
+                names.iter().copied().filter(|n| kernel.lemmas.contains_key(*n)).collect()
             };
             let weights = there(&["weight.low", "weight.high", "weight.four"]);
             let starts = there(&[
@@ -228,7 +228,7 @@ fn hypotheses_are_those_of_the_spec() {
                 );
                 *answers.entry(found).or_default() += 1;
                 // Below the critical weight there are minors, which are no numbers here.
-                if kernel.lemma("minor.step").is_none() {
+                if !kernel.lemmas.contains_key("minor.step") {
                     let eps = &setting.eps_num;
                     let met =
                         hypothesis.weights.contains(eps, &setting.eps_den, count) == Truth::True;
@@ -239,6 +239,73 @@ fn hypotheses_are_those_of_the_spec() {
         }
     }
     assert!(answers[&true] > 1_000 && answers[&false] > 1_000, "{answers:?}");
+}
+
+/// A fact more would be believed by every proof: the clauses of a system are those of FORMAT.md's table, and no others.
+#[test]
+fn systems_have_the_clauses_of_the_format_and_no_others() {
+    let step = |f: &str| ["first", "inner", "last"].map(|class| format!("{f}.{class}"));
+    let mut tried = 0;
+    for theorem in Theorem::ALL {
+        for form in Form::ALL {
+            let hypothesis = theorem.hypothesis(form);
+            let weights = match hypothesis.weights {
+                WeightRange::Any => "",
+                WeightRange::BelowCritical => {
+                    "weight.low minor.0 minor.1 minor.step minor.positive"
+                }
+                WeightRange::UpToHalfOrOne => "weight.low weight.high weight.four",
+                _ => "weight.low weight.high",
+            };
+            let starts = match hypothesis.starts {
+                StartSet::Any => "",
+                StartSet::Ordered => "start.order",
+                StartSet::FirstSubsegment => "start.order start.segment",
+                StartSet::UpperBounded => "start.bound",
+            };
+            let local = ["own", "prec", "foll", "own.start", "prec.start", "foll.start"];
+            let local: Vec<String> = local.iter().flat_map(|f| step(f)).collect();
+            for (protocol, steps, own) in [
+                ("coverage", "full", ""),
+                ("coverage", "activation", "active.low active.high"),
+                ("coverage", "delay", "seen.low seen.high"),
+                ("projection", "full", local.join(" ").as_str()),
+                ("consensus", "full", ""),
+            ] {
+                let of = json!({ "theorem": theorem.number(), "form": form.label() });
+                let given = json!({ "of": of, "from": "0", "to": "1" });
+                let mut system = json!({ "protocol": protocol, "steps": steps, "weights": given });
+                let mut expected = vec!["n", "last", "weight.from", "weight.to", weights, own];
+                if protocol != "consensus" {
+                    system["starts"] = of;
+                    expected.extend(["segment", "start.first", "start.last", starts]);
+                }
+                let expected = expected.join(" ") + " " + &step("step").join(" ");
+                let expected: BTreeSet<&str> = expected.split_whitespace().collect();
+                let kernel = kernel(&system);
+                let found: BTreeSet<&str> = kernel.lemmas.keys().map(|n| &**n).collect();
+                assert_eq!(found, expected, "{system}");
+                tried += 1;
+            }
+        }
+    }
+    assert_eq!(tried, 100);
+}
+
+/// So are those of a user's protocol.
+#[test]
+fn families_have_the_clauses_of_the_format_and_no_others() {
+    for (topology, classes) in [("line", "first inner last"), ("ring", "all")] {
+        let rules: Value = classes.split(' ').map(|c| (c.to_owned(), json!({}))).collect();
+        let page = json!({ "topology": topology, "state": ["s"], "parameters": { "g": { "from": "0" } }, "rules": rules });
+        refill();
+        let written: Family = serde_json::from_value(page).unwrap();
+        let mut kernel = Kernel::default();
+        family(&written, &mut kernel).unwrap();
+        let found: Vec<&str> = kernel.lemmas.keys().map(|n| &**n).collect();
+        let expected = ["g.from", "last", "n", "step.s.first", "step.s.inner", "step.s.last"];
+        assert_eq!(found, expected, "{topology}");
+    }
 }
 
 fn quotient(n: usize, d: usize) -> String {

@@ -105,11 +105,11 @@ fn proofs_that_repeat_are_given_up() {
 #[test]
 fn long_vectors_are_judged_or_given_up() {
     let body = |drones: usize, digits: usize, seed: usize| json!({ "drones": drones, "eps": fraction(digits, seed), "rate": "1/2", "vector": vec!["1"; drones - 2] });
-    // A thousand drones with fractions of 1,000 digits are allowed.
-    let verdict = check(&sealed("contraction", body(1_000, 1_000, 5)));
+    // Four hundred drones with fractions of 1,000 digits are allowed.
+    let verdict = check(&sealed("contraction", body(400, 1_000, 5)));
     assert!(matches!(verdict, Verdict::Invalid { rule: "contraction", .. }), "{verdict}");
     assert!(done() < MAX_WORK, "{}", done());
-    overworked("two thousand", &sealed("contraction", body(2_000, 1_000, 5)));
+    overworked("five hundred", &sealed("contraction", body(500, 1_000, 5)));
     let mut rate = body(9_000, 3, 5);
     rate["rate"] = json!(format!("1/{}", long(2_000, 3)));
     rate["eps"] = json!("1/2");
@@ -140,6 +140,19 @@ fn long_runs_are_judged_or_given_up() {
     let verdict = check(&run("7.8", 700, 0, "1/3"));
     assert!(matches!(verdict, Verdict::Invalid { rule: "refutation", .. }), "{verdict}");
     assert!(done() > 1_000_000, "the rate of 7.8 is counted: {}", done());
+}
+
+#[test]
+fn runs_have_a_largest_number_of_steps() {
+    let still = |step: usize| {
+        let body = json!({
+            "theorem": "7.8", "form": "paper", "min": "0", "max": "4", "eps": "0", "start": ["0", "1", "4"], "step": step,
+            "violation": { "step": 1, "subject": "energy" },
+        });
+        check(&sealed("refutation", body)).to_string()
+    };
+    assert!(still(10_000).starts_with("valid"), "{}", still(10_000));
+    assert!(still(10_001).contains("at most 10000 steps"), "{}", still(10_001));
 }
 
 /// A system of one variable, without a claim about it that needs proof.
@@ -215,6 +228,28 @@ fn long_verdicts_are_given_up() {
     };
     assert_eq!(check(&page(100)).label(), "valid");
     overworked("lines of edges", &page(1_000));
+}
+
+/// An ellipsoid of the most variables is judged, one of more is not.
+#[test]
+fn ellipsoids_have_a_largest_number_of_variables() {
+    let still = |size: usize| {
+        let names: Vec<String> = (0..size).map(|i| format!("x{i}")).collect();
+        let rows: Value = names.iter().map(|x| (x.clone(), json!(format!("-{x}")))).collect();
+        let unit = |i: usize| (0..=i).map(|j| if i == j { "1" } else { "0" }).collect();
+        let triangle: Vec<Vec<&str>> = (0..size).map(unit).collect();
+        let zero = vec!["0"; size];
+        sealed(
+            "ellipsoid",
+            json!({
+                "system": { "state": names, "modes": { "m": rows } }, "points": [zero], "start": ["a"],
+                "nodes": { "a": { "centre": zero, "matrix": triangle } }, "claims": ["x0 + 1 >= 0"],
+                "edges": [{ "from": "a", "by": "m", "to": "a", "decay": "1" }],
+            }),
+        )
+    };
+    assert_eq!(check(&still(200)).label(), "valid");
+    assert!(check(&still(201)).to_string().contains("201 variables: expected at most 200"));
 }
 
 #[test]

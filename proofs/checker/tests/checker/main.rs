@@ -7,4 +7,6 @@ mod cli;
 mod hostile;
 mod meaning;
 mod mutants;
+mod rules;
 mod second;
+mod work;

@@ -175,12 +175,12 @@ impl Source {
 #[test]
 fn statements_say_what_the_conclusions_of_the_spec_say() {
     let mut source = Source(11);
-    // 7.4 (ii) is two statements, one a direction. That of 7.8 speaks of a rate for all steps, the spec's conclusion of one step.
+    // That of 7.8 speaks of a rate for all steps, the spec's conclusion of one step.
     let files: [(Theorem, &[&str]); 9] = [
         (Theorem::Ordering, &["7.2-sharp"]),
         (Theorem::UpperBound, &["7.3-sharp"]),
         (Theorem::SumBounded, &["7.4i-sharp"]),
-        (Theorem::SumMaximal, &["7.4ii-sharp", "7.4ii-if-sharp"]),
+        (Theorem::SumMaximal, &["7.4ii-sharp"]),
         (Theorem::SumNonDecreasing, &["7.5i-sharp"]),
         (Theorem::SumStationary, &["7.5ii-sharp"]),
         (Theorem::TargetsFixed, &["7.6i-sharp"]),

@@ -1,0 +1,99 @@
+//! Work is counted as FORMAT.md says, so that a file's cost is known before it is checked.
+
+use cordon_check::expr::{Literal, Relation, Sort};
+use cordon_check::format::{Positivity, Proof};
+use cordon_check::kernel::{Clause, Kernel};
+use cordon_check::number::{MAX_NUMBER, MAX_WORK, Number, charge, done, exhausted, refill, spend};
+use cordon_check::poly::Poly;
+use cordon_spec::{Ordered, Scalar};
+
+fn cost<T>(f: impl FnOnce() -> T) -> u64 {
+    refill();
+    f();
+    done()
+}
+
+/// base^exponent
+fn power(base: u32, exponent: u32) -> String {
+    num_bigint::BigUint::from(base).pow(exponent).to_string()
+}
+
+fn number(text: &str) -> Number {
+    Number::read(text).unwrap()
+}
+
+#[test]
+fn an_operation_costs_the_square_of_its_length() {
+    refill();
+    // 193 and 139 bits; 65 bits below.
+    let wide = number(&format!("{}/{}", power(2, 192), power(3, 41)));
+    let whole = number(&power(5, 60));
+    let narrow = number(&format!("1/{}", power(3, 41)));
+    for (a, b, words) in [(&wide, &whole, 6), (&wide, &narrow, 5), (&whole, &whole, 4)] {
+        let expected = 128 + 3 * words * words / 2;
+        assert_eq!(cost(|| a.clone() + b), expected);
+        assert_eq!(cost(|| a.clone() - b), expected);
+        assert_eq!(cost(|| a.clone() * b), expected);
+        assert_eq!(cost(|| a.over(b)), expected);
+        assert_eq!(cost(|| a.compare(b)), 128 + words);
+    }
+    // With denominators and without: what is computed.
+    assert_eq!(number("1/2") + &number("1/3"), number("5/6"));
+    assert_eq!(number("7") - &number("9"), number("-2"));
+    assert_eq!(number("-7") * &number("1/7"), number("-1"));
+    assert_eq!(number("6").over(&number("-4")), Some(number("-3/2")));
+    assert_eq!(number("1").over(&number("0")), None);
+}
+
+#[test]
+fn a_number_costs_the_square_of_what_is_read() {
+    assert_eq!(cost(|| number(&"7".repeat(63))), 0);
+    assert_eq!(cost(|| number(&"7".repeat(640))), 100);
+    assert_eq!(number(&"7".repeat(MAX_NUMBER)), number(&"7".repeat(MAX_NUMBER)));
+    assert!(Number::read(&"7".repeat(MAX_NUMBER + 1)).is_err());
+}
+
+#[test]
+fn the_last_unit_is_not_to_be_had() {
+    refill();
+    assert!(spend(MAX_WORK - 1).is_ok() && !exhausted());
+    assert_eq!(done(), MAX_WORK - 1);
+    assert!(!charge(1) && exhausted() && spend(0).is_err());
+    let two = Number::whole(2);
+    assert_eq!(two.clone() + &two, Number::whole(0));
+    assert_eq!(two.compare(&two), None);
+    assert_eq!(done(), MAX_WORK);
+}
+
+#[test]
+fn a_copy_costs_its_atoms() {
+    let (a, b) = (Poly::var("a"), Poly::var("b"));
+    assert_eq!(cost(|| a.clone() + &b), 128 * 2);
+    assert_eq!(cost(|| a.clone() + &a), 128 * 3);
+    assert_eq!(cost(|| a.clone() * &b), 128 * 4);
+    // f(a + 1): itself, and in its term two monomials and an atom.
+    let one = Poly::from_int(1);
+    let f = Poly::app("f", &[a.clone() + &one]);
+    assert_eq!(f.size(), 5);
+    assert_eq!(cost(|| b.clone() + &f), 128 * 5);
+    assert_eq!(cost(|| f.clone() * &f), 128 * (1 + 8 + 1));
+}
+
+#[test]
+fn a_step_costs_its_clause_and_a_name_its_variables() {
+    let by = |sum: &str| {
+        Proof::Positivity(Positivity { r#use: Vec::new(), times: Vec::new(), sum: sum.into() })
+    };
+    let says = |poly| Literal { poly, relation: Relation::NonNegative };
+    let kernel = Kernel::default();
+    // The token of the sum is 128 of it.
+    let mut clause = Clause::fact(says(Poly::default()));
+    let of = |clause: &Clause| cost(|| kernel.check(clause, &by("0")).unwrap());
+    assert_eq!(of(&clause), 128 + 128);
+    clause.vars = ["p", "q", "r"].map(|v| (v.into(), Sort::Real)).to_vec();
+    assert_eq!(of(&clause), 128 * 4 + 128);
+    clause.given.insert("g".into(), says(Poly::var("p")));
+    assert_eq!(of(&clause), 128 * (4 + 3) + 128);
+    assert_eq!(cost(|| kernel.fresh("s", &clause.vars).unwrap()), 128 + 3);
+    assert!(kernel.fresh("q", &clause.vars).is_err());
+}

@@ -131,6 +131,12 @@ check no-such-file.json
 check LICENSE-MIT
 threshold --property ordering --drones 2
 threshold --property ordering --drones 5 --digits 0
+threshold --property ordering --drones 3..5
+threshold --property bound --drones 5 --delay 1
+threshold --property separation --delay 1
+threshold --property ordering --drones 4 --delay 0
+threshold --property ordering --drones 4 --delay 1 --digits 9
+threshold --property ordering --drones 3..4 --delay 1 --format json
 settle --drones 2 --eps 1/4 --within 1
 settle --drones 10001 --eps 1/4 --within 1
 settle --drones 5 --eps 1/4 --within 0
@@ -174,5 +180,5 @@ fn every_message_is_as_it_was_read() {
         assert_eq!(found, expected);
     }
     assert_eq!(found.len(), expected.len());
-    assert_eq!(CALLS.lines().count(), 136);
+    assert_eq!(CALLS.lines().count(), 142);
 }

@@ -46,6 +46,7 @@ fn what_commands_print_meets_its_schema() {
         "sweep 7.2 --drones 3 --sample 5 --seed 1 --eps 1/3 --steps 3",
         "theorems",
         "threshold --property ordering --drones 5",
+        "threshold --property ordering --drones 4 --delay 1",
         "threshold --property convergence --drones 5",
         "threshold --property separation --digits 1",
         "separation scenarios/paper.toml",

@@ -8,6 +8,7 @@ mod any_size;
 mod cosim_faults;
 mod cosim_master;
 mod cosim_runs;
+mod departing;
 mod exact_numbers;
 mod export_smt2;
 mod fast;

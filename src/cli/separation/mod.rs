@@ -18,10 +18,11 @@ use cordon_core::{Error, Evidence, Outcome, Rational, Result, exact};
 use cordon_cosim::closed_loop::{ClosedLoop, Tuning};
 use cordon_cosim::coordination::Exchange;
 use cordon_cosim::cosimulation::Cosimulation;
+use cordon_cosim::plant::Integrator;
 use cordon_proof::certificate;
 use cordon_proof::separation::desired::{Update, smallest_gap};
 use cordon_proof::separation::{
-    Cone, Finding, Mass, Negative, Response, decide, negative_mass, nonnegative,
+    Cone, Finding, Mass, Negative, Response, decide, masses, nonnegative,
 };
 use cordon_run::scenario::Protocol;
 
@@ -58,10 +59,12 @@ struct Report<'s> {
     certificates: usize,
 }
 
-/// Wind, and what it costs of every gap.
+/// Wind, and what it costs of every gap, if that is known.
 struct Wind {
     most: Rational,
-    costs: Rational,
+    costs: Option<Rational>,
+    /// Whether it costs no less: steady winds from either side do.
+    is_exact: bool,
 }
 
 /// How desired gaps become actual ones.
@@ -169,22 +172,18 @@ fn judged(swarm: &Cosimulation, wind: Option<Rational>) -> Result<Judged<'_>> {
         let page = smallest_gap(&swarm.scenario.start, eps, &smallest.size, update);
         push(&mut certificates, "desired", page, &mut evidence);
     }
-    let flight = match decide(&response) {
-        Finding::NonNegative(cone) => {
+    let found_of = decide(&response);
+    let steady = matches!(found_of, Finding::NonNegative(_));
+    let flight = match (found_of, &wind) {
+        (Finding::NonNegative(cone), _) => {
             push(&mut certificates, "response", nonnegative(&response, &cone), &mut evidence);
             Flight::Convex(cone)
         }
-        Finding::Negative(sample) if wind.is_none() => match negative_mass(&response) {
-            Some(mass) => {
-                let page = nonnegative(&mass.bounded, &mass.cone);
-                push(&mut certificates, "tail", page, &mut evidence);
-                evidence = Evidence::Inductive;
-                Flight::Partly(sample, Box::new(mass))
-            }
-            None => Flight::Unknown(Some(sample)),
-        },
-        Finding::Negative(sample) => Flight::Unknown(Some(sample)),
-        Finding::Undecided => Flight::Unknown(None),
+        (other, None) => still_air(other, &response, &mut certificates, &mut evidence),
+        (_, Some(_)) => {
+            let plain = self::response(&found, false);
+            still_air(decide(&plain), &plain, &mut certificates, &mut evidence)
+        }
     };
     for (name, page) in std::mem::take(&mut certificates) {
         match certificate::judged(&page) {
@@ -195,15 +194,27 @@ fn judged(swarm: &Cosimulation, wind: Option<Rational>) -> Result<Judged<'_>> {
         }
     }
     let two = Rational::from_integer(2.into());
-    // A steady wind of 1 m/s2 carries a drone as far as the trim says.
-    let shift = found.trim.first().cloned().unwrap_or_default();
-    let wind = wind.map(|most| Wind { costs: two * &most * shift, most });
-    let costs = wind.as_ref().map_or_else(Rational::zero, |w| w.costs.clone());
+    let wind = wind.map(|most| {
+        // A steady wind of 1 m/s2 carries a drone as far as the trim says.
+        let shift = match steady {
+            true => found.trim.first().cloned(),
+            false => carried(&found, swarm),
+        };
+        let costs = shift.map(|shift| &two * &most * shift);
+        Wind { most, costs, is_exact: steady }
+    });
+    if wind.is_some() && !steady {
+        evidence = Evidence::Inductive;
+    }
+    let costs = match &wind {
+        None => Some(Rational::zero()),
+        Some(wind) => wind.costs.clone(),
+    };
     let gap = match &flight {
         _ if !kept => None,
-        Flight::Convex(_) => Some(&smallest.size - costs),
+        Flight::Convex(_) => costs.map(|costs| &smallest.size - costs),
         Flight::Partly(_, mass) => {
-            Some(&smallest.size - &mass.negative * (&largest - &smallest.size))
+            costs.map(|costs| &smallest.size - &mass.negative * (&largest - &smallest.size) - costs)
         }
         Flight::Unknown(_) => None,
     };
@@ -221,6 +232,45 @@ fn judged(swarm: &Cosimulation, wind: Option<Rational>) -> Result<Judged<'_>> {
         certificates: count,
     };
     Ok(Judged { report, certificates })
+}
+
+/// What is known of a flight without wind, from what is known of the response.
+fn still_air(
+    found: Finding,
+    response: &Response,
+    certificates: &mut Vec<(String, Value)>,
+    evidence: &mut Evidence,
+) -> Flight {
+    let sample = match found {
+        Finding::NonNegative(cone) => {
+            push(certificates, "response", nonnegative(response, &cone), evidence);
+            return Flight::Convex(cone);
+        }
+        Finding::Negative(sample) => sample,
+        Finding::Undecided => return Flight::Unknown(None),
+    };
+    let Some(mass) = masses(response) else { return Flight::Unknown(Some(sample)) };
+    push(certificates, "tail", nonnegative(&mass.bounded, &mass.cone), evidence);
+    *evidence = Evidence::Inductive;
+    Flight::Partly(sample, Box::new(mass))
+}
+
+/// How far a wind of 1 m/s2 carries a drone at most, whichever way it turns: its response without signs.
+/// `None` where no bound of that was found.
+fn carried(found: &ClosedLoop, swarm: &Cosimulation) -> Option<Rational> {
+    let tau = swarm.grid.tau();
+    let of = |push: &Vec<Rational>| {
+        let starts = vec![("push".to_owned(), push.clone())];
+        Some(masses(&Response { starts, ..response(found, false) })?.absolute)
+    };
+    let sum = found.pushes.iter().map(of).sum::<Option<Rational>>()?;
+    let mean = sum / Rational::from_integer(found.pushes.len().into());
+    // Between grid points, what the wind does within the step.
+    let within = match swarm.integrator {
+        Integrator::Euler => Rational::zero(),
+        Integrator::Exact => tau * tau / Rational::from_integer(2.into()),
+    };
+    Some(mean * tau + within)
 }
 
 /// Adds a certificate. Where there is none, what was found was judged exactly, by the search alone.

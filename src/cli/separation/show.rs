@@ -21,6 +21,12 @@ fn short(x: &Rational) -> String {
     decimal_string(&((x * &thousand).floor() / thousand), 3)
 }
 
+/// A bound from above in a few decimals.
+fn above(x: &Rational) -> String {
+    let thousand = Rational::from_integer(1000.into());
+    decimal_string(&((x * &thousand).ceil() / thousand), 3)
+}
+
 /// Decimal places of the negative mass, which has no more.
 const PLACES: usize = 9;
 
@@ -67,17 +73,20 @@ pub(super) fn text(report: &Report<'_>, out: &mut dyn Write) -> Result<()> {
     )?;
     flight(report, out)?;
     if let Some(wind) = &report.wind {
-        let (most, costs) = (fraction(&wind.most), fraction(&wind.costs));
-        match report.flight {
-            Flight::Convex(_) => writeln!(
-                out,
-                "  wind     at most {most} m/s2 on each drone: costs {costs} m of every gap, 2 W/lambda_P^2"
-            )?,
-            _ => writeln!(
-                out,
-                "  wind     at most {most} m/s2 on each drone: its cost is not known"
-            )?,
-        }
+        let most = fraction(&wind.most);
+        let what = match &wind.costs {
+            Some(costs) if wind.is_exact => {
+                format!("costs {} m of every gap, 2 W/lambda_P^2", fraction(costs))
+            }
+            Some(costs) => {
+                format!(
+                    "costs at most {} m of every gap, as its response sums up without signs",
+                    above(costs)
+                )
+            }
+            None => "its cost is not known".to_owned(),
+        };
+        writeln!(out, "  wind     at most {most} m/s2 on each drone: {what}")?;
     }
     if report.gap.is_some() {
         writeln!(
@@ -193,7 +202,7 @@ pub(super) fn json(report: &Report<'_>) -> Value {
             "master": swarm.algorithm.name(),
         },
         "response": response,
-        "wind": report.wind.as_ref().map(|w| json!({ "most": fraction(&w.most), "costs": fraction(&w.costs) })),
+        "wind": report.wind.as_ref().map(|w| json!({ "most": fraction(&w.most), "costs": w.costs.as_ref().map(fraction) })),
         "files": report.files,
     })
 }

@@ -17,6 +17,8 @@ fn examples_are_proved_with_valid_certificates_or_refuted() {
         "consensus",
         "coverage",
         "coverage-buffered",
+        "coverage-heard-in-turn",
+        "coverage-joining",
         "coverage-late",
         "coverage-that-waits",
         "coverage-with-losses",
@@ -27,6 +29,7 @@ fn examples_are_proved_with_valid_certificates_or_refuted() {
         "no-overshoot",
         "one-step-late",
         "pd-follower",
+        "rendezvous-with-losses",
         "ring-consensus",
         "ring-pulls",
         "rotation",
@@ -54,11 +57,17 @@ fn examples_are_proved_with_valid_certificates_or_refuted() {
     let (found, _) = refute(&hasty, &constants(&hasty, 8).unwrap(), None, 5);
     let found = found.unwrap();
     assert_eq!((found.step, found.values.clone()), (1, vec![q("3/5")]));
+    for name in ["coverage-losses-gap", "coverage-lost-at-targets", "coverage-waits-sum"] {
+        let system = own(name, None);
+        assert!(prove(&system).is_none(), "{name}");
+        let (found, _) = refute(&system, &constants(&system, 8).unwrap(), None, 5);
+        assert_eq!(found.unwrap().step, 1, "{name}");
+    }
     let files = std::fs::read_dir("scenarios/own").unwrap();
     let files =
         files.filter(|f| f.as_ref().unwrap().path().extension().is_some_and(|e| e == "toml"));
     // The platoon is proved too, in seconds: `cordon prove` in the guide.
-    assert_eq!(files.count(), proved.len() + 4);
+    assert_eq!(files.count(), proved.len() + 7);
 }
 
 /// What needs the state bounded is proved with bounds, and without them where they are not needed.
@@ -147,6 +156,8 @@ fn every_number_of_agents_is_proved_where_the_classes_allow_it() {
         "ring-consensus",
         "ring-pulls",
         "coverage-buffered",
+        "coverage-heard-in-turn",
+        "coverage-joining",
     ] {
         let file = format!("scenarios/own/{name}.toml");
         let (code, out, err) = run(&["prove", "--protocol", &file, "--out", dir]);

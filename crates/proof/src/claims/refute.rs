@@ -1,7 +1,7 @@
 //! Counterexamples: by step, the smallest first, then by the simplicity of the constants.
 
 use super::automaton::Automaton;
-use super::search::{Answer, Choice, Limits, Search};
+use super::search::{Answer, Choice, End, Limits, Proof, Search};
 use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Sign};
@@ -91,8 +91,8 @@ pub fn refute(
             Sought::Fails(run) if best.as_ref().is_none_or(|b| run.step < b.step) => {
                 best = Some(run);
             }
-            Sought::Fails(_) | Sought::Never => {}
-            Sought::NotUpTo(depth) => {
+            Sought::Fails(_) | Sought::Never(_) => {}
+            Sought::NotUpTo(depth, _) => {
                 complete = complete.min(depth.max(if depth >= deepest { steps } else { 0 }))
             }
         }
@@ -102,14 +102,14 @@ pub fn refute(
 }
 
 /// What a search found at some values of the constants.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub enum Sought {
     /// A run in which a claim fails.
     Fails(Run),
     /// No claim ever fails.
-    Never,
-    /// None fails up to that step; the rest is open.
-    NotUpTo(usize),
+    Never(Proof),
+    /// None fails up to that step; the rest is open, by what ended the search.
+    NotUpTo(usize, End),
 }
 
 /// Searches up to step `steps` at these values of the constants, with as much `work` as there is; what is
@@ -130,10 +130,10 @@ pub fn sought(
     match answer {
         Answer::Refuted(start, choices) => match follow(system, values, &start, choices) {
             Some(run) => Sought::Fails(run),
-            None => Sought::NotUpTo(0),
+            None => Sought::NotUpTo(0, End::Failure),
         },
-        Answer::Proved(_) => Sought::Never,
-        Answer::Open(depth, _) => Sought::NotUpTo(depth),
+        Answer::Proved(proof) => Sought::Never(proof),
+        Answer::Open(depth, end) => Sought::NotUpTo(depth, end),
     }
 }
 

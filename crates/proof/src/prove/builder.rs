@@ -55,8 +55,18 @@ pub fn split(name: &str, on: &str, branches: [Value; 3]) -> Value {
 /// Induction over a variable from the bound that the literal `on` sets; the hypothesis is called
 /// `IH`, its variable `earlier`.
 pub fn induction(on: &str, variable: &str, earlier: &str, base: Value, step: Value) -> Value {
+    induction_named("IH", [on, variable, earlier], base, step)
+}
+
+/// As [`induction`], with a hypothesis of that name: for one inside another.
+pub fn induction_named(
+    hypothesis: &str,
+    [on, variable, earlier]: [&str; 3],
+    base: Value,
+    step: Value,
+) -> Value {
     json!({ "induction": {
-        "on": on, "variable": variable, "hypothesis": "IH", "earlier": earlier, "base": base, "step": step,
+        "on": on, "variable": variable, "hypothesis": hypothesis, "earlier": earlier, "base": base, "step": step,
     } })
 }
 

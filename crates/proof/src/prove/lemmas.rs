@@ -217,6 +217,24 @@ pub const BELOW: Family = Family {
     ends: [" + [segment]", ""],
 };
 
+/// Of a cell as wide as the targets are apart, shifted: that a drone is not beyond it, nor before it.
+pub const CELL: [Family; 2] = [
+    Family {
+        name: "CELL.high",
+        of: "@e(k, i) + last*shift",
+        relation: ">=",
+        slope: "(-last)",
+        ends: [" + [last]*[shift.low]"; 2],
+    },
+    Family {
+        name: "CELL.low",
+        of: "max - min - last*shift - (@e(k, i))",
+        relation: ">",
+        slope: "last",
+        ends: [" + [shift.high]"; 2],
+    },
+];
+
 impl Family {
     /// The family in the terms of its script: `say` is `lemma` or `conclude`, `base` a proof of what it
     /// says of step 0.
@@ -232,6 +250,7 @@ impl Family {
         let inner = match steps {
             Steps::Full => "@full",
             Steps::Activation => "@activation",
+            Steps::Delay if self.relation == ">" => "@delaystrict",
             Steps::Delay => "@delay",
         };
         let [first, last] = self.ends;

@@ -8,6 +8,7 @@
 
 pub mod any_size;
 mod builder;
+mod departing;
 mod invariants;
 mod lemmas;
 mod limit;
@@ -33,7 +34,7 @@ pub struct Claim {
 }
 
 /// Every claim.
-pub const CLAIMS: [Claim; 26] = {
+pub const CLAIMS: [Claim; 40] = {
     use Steps::{Activation, Delay, Full};
     const fn of(name: &'static str, theorem: Theorem, sheet: fn(&Scope) -> Option<Sheet>) -> Claim {
         Claim { name, theorem: Some(theorem), sheet }
@@ -64,6 +65,20 @@ pub const CLAIMS: [Claim; 26] = {
         claim("7.3-delay", |s| invariants::upper(s, Delay)),
         claim("7.3-mirror-delay", |s| invariants::assumed(s, Delay, &[LOWER])),
         claim("7.3-box-delay", |s| invariants::assumed(s, Delay, &[ABOVE, BELOW])),
+        claim("7.2-one-late", departing::ordering_one_late),
+        claim("7.2-cells-delay", departing::ordering_in_cells),
+        claim("7.8-delay", departing::limit_late),
+        claim("7.2-gaps-activation", departing::gaps_active),
+        claim("7.8-activation", departing::limit_active),
+        claim("7.2-hold", departing::gaps_held),
+        claim("7.2-loss", departing::ordering_with_losses),
+        claim("7.2-gaps-varying", departing::gaps_varying),
+        claim("7.3-varying", departing::upper_varying),
+        claim("7.5i-varying", departing::increasing_varying),
+        claim("7.6i-varying", departing::fixed_varying),
+        claim("7.6ii-varying", departing::constant_varying),
+        claim("7.7-varying", departing::increasing_in_time_varying),
+        claim("7.8-varying", departing::limit_varying),
         claim("consensus-average", sums::consensus),
         claim("projection", others::projection),
         claim("7.2-exact", others::ordering_exact),

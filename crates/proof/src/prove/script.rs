@@ -8,7 +8,7 @@
 //! define p(i) = 1; eps*p(i)                  # p(0); then p(i+1)
 //! assume OFF |- @v(K) > 0
 //! lemma P(i) i: i >= 0 |- p(i) > 0           # for all i, given what has a name: the goal
-//!   induction i i t                          # the literal with the bound, the variable, its name in IH
+//!   induction i i t                          # the literal with the bound, the variable, its name in IH (or, last, another name)
 //!     by [p.0] + 1                           # the goal as a sum of products of facts
 //!     by [h] + [eps]*[ih]
 //!       h = p.step(i=i; from=[i])            # an instance: terms for variables; sums for its literals
@@ -29,7 +29,7 @@ use std::borrow::Cow;
 use serde_json::Value;
 
 use super::builder::{
-    Sheet, absurd_times, cases, clause, induction, instance, positivity_times, split,
+    Sheet, absurd_times, cases, clause, induction_named, instance, positivity_times, split,
 };
 use super::lemmas::{by_activity, by_class};
 
@@ -174,8 +174,9 @@ fn rule(node: &Node, shared: &Shared, lets: &Lets) -> Result<Value, Fault> {
         ("cases", [on, variable], [equal, beyond]) => {
             Ok(cases(on, variable, equal.clone(), beyond.clone()))
         }
-        ("induction", [on, variable, earlier], [base, step]) => {
-            Ok(induction(on, variable, earlier, base.clone(), step.clone()))
+        ("induction", [on, variable, earlier, name @ ..], [base, step]) if name.len() <= 1 => {
+            let name = name.first().unwrap_or(&"IH");
+            Ok(induction_named(name, [on, variable, earlier], base.clone(), step.clone()))
         }
         ("active", [name, ..], [on, off]) => {
             let drone = rest.get(name.len() + 1..).unwrap_or_default();
@@ -345,6 +346,7 @@ fn nodes(mut lines: &[(usize, &str)]) -> Vec<Node> {
 mod tests {
     use serde_json::json;
 
+    use super::super::builder::induction;
     use super::*;
 
     fn read(script: &str) -> Result<Value, Fault> {

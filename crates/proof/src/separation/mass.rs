@@ -1,4 +1,4 @@
-//! How much of a response is negative, where some is.
+//! How much of a response is negative, where some is, and how much there is without signs.
 //!
 //! The first samples are executed; what comes after them is below a geometric sequence: with one
 //! more member s of the state, s' = rate s, both s - y and s + y of every readout y are never
@@ -14,11 +14,13 @@ use super::modes::modes;
 use super::path::{Entry, Path, entry};
 use super::{Cone, Response};
 
-/// A bound of the negative part of a response.
+/// Bounds of the negative part of a response, and of all of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mass {
     /// What the negative samples of a readout sum up to at most, with their signs changed.
     pub negative: Rational,
+    /// What they all sum up to at most, without their signs.
+    pub absolute: Rational,
     /// Samples that were executed.
     pub samples: usize,
     /// The part of the bound that is for all samples after these.
@@ -42,9 +44,9 @@ const TAIL_PLACES: u32 = 6;
 /// Most samples that are executed.
 const MOST_SAMPLES: usize = 5_000;
 
-/// The negative mass of the response to its first start, the worst of its readouts. `None` where
-/// the response does not die out, or no bound was found.
-pub fn negative_mass(response: &Response) -> Option<Mass> {
+/// The masses of the response to its first start, the worst of its readouts. `None` where the response does
+/// not die out, or no bound was found.
+pub fn masses(response: &Response) -> Option<Mass> {
     let slowest = modes(&response.matrix, &response.readouts)?.first()?.factor.norm_sqr().sqrt();
     if slowest.is_nan() || slowest >= 1.0 {
         return None;
@@ -76,16 +78,23 @@ pub fn negative_mass(response: &Response) -> Option<Mass> {
         samples += 1;
     }
     let mut path = Path::new(&response.matrix, start);
-    let mut sums = vec![Rational::zero(); response.readouts.len()];
+    let mut sums = vec![[Rational::zero(), Rational::zero()]; response.readouts.len()];
+    // Samples are rounded down by less than this.
+    let rounded = Rational::new(BigInt::one(), BigInt::from(10).pow(2 * PLACES));
     for _ in 0..samples {
-        for (sum, sample) in sums.iter_mut().zip(path.values(&response.readouts, 2 * PLACES)) {
-            *sum += (-sample).max(Rational::zero());
+        for (sums, sample) in sums.iter_mut().zip(path.values(&response.readouts, 2 * PLACES)) {
+            let [negative, absolute] = sums;
+            *negative += (-&sample).max(Rational::zero());
+            *absolute += sample.abs() + &rounded;
         }
         path.step();
     }
-    let executed = sums.into_iter().max()?;
-    let negative = rounded_up(&(executed + &tail), PLACES);
-    Some(Mass { negative, samples, tail, scale, rate, bounded, cone })
+    let most = |side: usize| {
+        let executed = sums.iter().filter_map(|sums| sums.get(side)).max()?;
+        Some(rounded_up(&(executed + &tail), PLACES))
+    };
+    let (negative, absolute) = (most(0)?, most(1)?);
+    Some(Mass { negative, absolute, samples, tail, scale, rate, bounded, cone })
 }
 
 fn with_bound(response: &Response, rate: &Rational) -> Response {

@@ -24,7 +24,7 @@ use path::{Entry, entry};
 
 pub use certificate::{negative, nonnegative};
 pub use cone::Cone;
-pub use mass::{Mass, negative_mass};
+pub use mass::{Mass, masses};
 
 /// Samples looked at for a negative one before a cone is searched, which takes longer.
 const FIRST_STEPS: usize = 150;

@@ -3,6 +3,7 @@
 
 pub mod convergence;
 pub mod invariance;
+pub mod late;
 pub mod safety;
 pub mod separation;
 

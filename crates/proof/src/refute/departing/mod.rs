@@ -1,8 +1,12 @@
 //! Steps in which drones skip their update, or see their neighbours where they were: as a system that
 //! the spec's own functions are executed to make, searched by the engine of claims.
 
+mod facing;
+mod order;
 mod swarm;
 mod unchanging;
+
+pub use order::{Order, crossing, order};
 
 use cordon_spec::theorems::{Form, Theorem};
 use num_traits::Zero;

@@ -22,6 +22,12 @@ use cordon_core::system::{
 };
 use cordon_core::{Error, Rational, Result};
 
+/// Where a drone is, and where it was a step ago, two, and so on: as far back as certificates name it.
+const NAMES: [&str; 21] = [
+    "x", "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m", "n", "o", "p", "q", "r",
+    "s", "t",
+];
+
 /// A line of drones on the segment \[0, 1\] whose steps depart.
 pub(super) struct Swarm {
     /// Number of drones, at least 3.
@@ -105,21 +111,32 @@ impl Swarm {
         last: usize,
         work: &mut u64,
     ) -> Result<(Option<Counterexample>, Extent)> {
-        let system = self.system(space)?;
-        let values = system.values(|p| p.low.clone());
-        let starts = system.start_constraints();
-        let found = sought(&system, &Automaton::of(&system), &values, starts, last, work);
+        let (_, found) = self.sought(space, last, work)?;
         Ok(match found {
-            Sought::Never => (None, Extent::EveryStartAndStep),
-            Sought::NotUpTo(step) if step >= last => (None, Extent::EveryStart),
-            Sought::NotUpTo(_) => (None, Extent::Tried),
+            Sought::Never(_) => (None, Extent::EveryStartAndStep),
+            Sought::NotUpTo(step, _) if step >= last => (None, Extent::EveryStart),
+            Sought::NotUpTo(..) => (None, Extent::Tried),
             // The spec decides; a run that it does not confirm is no counterexample.
             Sought::Fails(run) => (self.replayed(space, &run), Extent::Tried),
         })
     }
 
+    /// What the search finds up to step `last`, within so much work, and in which system.
+    pub(super) fn sought(
+        &self,
+        space: &SearchSpace,
+        last: usize,
+        work: &mut u64,
+    ) -> Result<(System, Sought)> {
+        let system = self.system(space)?;
+        let values = system.values(|p| p.low.clone());
+        let starts = system.start_constraints();
+        let found = sought(&system, &Automaton::of(&system), &values, starts, last, work);
+        Ok((system, found))
+    }
+
     /// The run, if the spec confirms it.
-    fn replayed(&self, space: &SearchSpace, run: &Run) -> Option<Counterexample> {
+    pub(super) fn replayed(&self, space: &SearchSpace, run: &Run) -> Option<Counterexample> {
         let start = run.states.first()?.iter().step_by(self.remembered()).cloned().collect();
         let steps = run.choices.iter();
         let departure = match self.departures {
@@ -161,7 +178,7 @@ impl Protocol for Swarm {
     }
 
     fn variables(&self) -> Vec<&str> {
-        vec!["x"; self.remembered()]
+        (0..self.remembered()).map(|age| NAMES.get(age).copied().unwrap_or("x")).collect()
     }
 
     fn parameters(&self) -> Vec<Parameter> {

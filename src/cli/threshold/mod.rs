@@ -1,5 +1,7 @@
 //! `cordon threshold`.
 
+mod late;
+
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -9,7 +11,7 @@ use serde_json::{Value, json};
 use super::own_protocol;
 use super::select::OutputFormat;
 use super::separation::threshold::{self as separation, LoopArgs};
-use cordon_core::exact::{decimal_string, fraction, in_short};
+use cordon_core::exact::{decimal_string, fraction, in_short, shortened};
 use cordon_core::system::System;
 use cordon_core::{Error, Evidence, Outcome, Rational, Result, progress};
 use cordon_proof::certificate;
@@ -29,10 +31,14 @@ pub struct Args {
     /// With --protocol: the parameter whose critical value is wanted [default: the only one with a range]
     #[arg(long, value_name = "NAME", help_heading = "Own protocol")]
     parameter: Option<String>,
-    /// Number of drones, 3 to 1000; separation is the same for all numbers
-    #[arg(long, value_name = "N", conflicts_with = "protocol")]
-    drones: Option<usize>,
-    /// Decimal places of the bracket, 1 to 1000 [default: 10, with --protocol 4; separation: 1 to 4, 2]
+    /// Number of drones, 3 to 1000; with --delay 3 to 20, or a range; separation is the same for all numbers
+    #[arg(long, value_name = "N|LO..HI", conflicts_with = "protocol")]
+    drones: Option<String>,
+    /// With ordering: each drone may see each neighbour up to this many steps late, or a range
+    #[arg(long, value_name = "D|LO..HI", conflicts_with = "protocol")]
+    delay: Option<String>,
+    /// Decimal places of the bracket, 1 to 1000 [default: 10, with --protocol 4; separation: 1 to 4, 2;
+    /// with --delay: 1 to 4, 2]
     #[arg(long, value_name = "D")]
     digits: Option<usize>,
     #[command(flatten)]
@@ -91,6 +97,9 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         return own(args, &system, out);
     }
     if args.property() == Property::Separation {
+        if args.delay.is_some() {
+            return unused("delay", "--property ordering");
+        }
         if args.drones.is_some() {
             return unused(
                 "drones",
@@ -104,9 +113,16 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if args.property() == Property::Claims {
         return needs_file();
     }
-    if args.drones.is_none() {
+    let Some(drones) = &args.drones else {
         return Err(Error::input("drones: expected --drones N, a number from 3 to 1000"));
+    };
+    if let Some(delay) = &args.delay {
+        if args.property() != Property::Ordering {
+            return unused("delay", "--property ordering");
+        }
+        return late::run(args, drones, delay, out);
     }
+    args.drones_alone()?;
     check_size(args.drones(), args.digits())?;
     match args.property() {
         Property::Ordering => keep(args, Cone::PositiveGaps, out),
@@ -122,8 +138,19 @@ impl Args {
         self.property.unwrap_or(Property::Ordering)
     }
 
+    /// Refuses what is no number of drones.
+    fn drones_alone(&self) -> Result<()> {
+        match self.drones.as_deref().map(|text| (text, text.parse::<usize>())) {
+            Some((text, Err(_))) => Err(Error::input(format!(
+                "drones: `{}`: expected a number from 3 to 1000",
+                shortened(text)
+            ))),
+            _ => Ok(()),
+        }
+    }
+
     fn drones(&self) -> usize {
-        self.drones.unwrap_or_default()
+        self.drones.as_deref().and_then(|text| text.parse().ok()).unwrap_or_default()
     }
 
     fn digits(&self) -> usize {

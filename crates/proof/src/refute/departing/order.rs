@@ -1,0 +1,76 @@
+//! Whether drones keep their order where messages are late, at one weight.
+
+use cordon_spec::theorems::{Form, Theorem};
+use serde_json::Value;
+
+use super::Departures;
+use super::swarm::Swarm;
+use crate::certificate::judged;
+use crate::claims::Sought;
+use crate::claims::certificate::certificate;
+use crate::counterexample::Counterexample;
+use crate::refute::SearchSpace;
+use cordon_core::{Rational, Result};
+
+/// What is known at a weight.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Order {
+    /// No drones ever meet, whatever is late: half-spaces of an invariant, and the certificate that the
+    /// independent checker has accepted.
+    Kept(usize, Value),
+    /// Two meet.
+    Lost(Counterexample),
+    /// Neither was found, by what ended the search.
+    Open(String),
+}
+
+/// Steps up to which a crossing is looked for.
+const STEPS: usize = 60;
+
+fn swarm(count: usize, longest: usize, eps: &Rational) -> Swarm {
+    Swarm { count, eps: eps.clone(), departures: Departures::Late(longest) }
+}
+
+/// A crossing of two neighbours that are driven into each other, if there is one.
+///
+/// # Errors
+/// There are more drones and delays than a system has variables.
+pub fn crossing(count: usize, longest: usize, eps: &Rational) -> Result<Option<Counterexample>> {
+    let swarm = swarm(count, longest, eps);
+    swarm.fits()?;
+    // Where they meet at all they do so soon after the last message from before the start.
+    Ok(swarm.facing(6 * longest + 20))
+}
+
+/// Whether `count` drones keep their order where each may see each neighbour up to `longest` steps late,
+/// in each step anew. The search stops where `work` is used up.
+///
+/// # Errors
+/// There are more drones and delays than a system has variables.
+pub fn order(count: usize, longest: usize, eps: &Rational, mut work: u64) -> Result<Order> {
+    let swarm = swarm(count, longest, eps);
+    swarm.fits()?;
+    let space = SearchSpace {
+        theorem: Theorem::Ordering,
+        form: Form::Sharp,
+        drones: vec![count],
+        weights: vec![eps.clone()],
+        any_weight: true,
+        steps: STEPS,
+    };
+    let (system, found) = swarm.sought(&space, STEPS, &mut work)?;
+    Ok(match found {
+        Sought::Never(proof) => {
+            match certificate(&system, &proof).map(|page| (judged(&page), page)) {
+                Some((Ok(_), page)) => Order::Kept(proof.rows.len(), page),
+                Some((Err(e), _)) => Order::Open(e.to_string()),
+                None => Order::Open("the proof has no certificate".to_owned()),
+            }
+        }
+        Sought::Fails(run) => match swarm.replayed(&space, &run) {
+            Some(found) => Order::Lost(found),
+            None => Order::Open("the spec does not confirm the run that was found".to_owned()),
+        },
+        Sought::NotUpTo(_, end) => Order::Open(end.to_string()),
+    })
+}

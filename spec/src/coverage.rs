@@ -93,10 +93,7 @@ pub fn kth_step<S: Scalar, M: DroneMap<S>>(p: &Params<S>, initial: State<M>, k: 
         let before = snapshot!(s);
         s = tick(p, s);
         #[cfg(creusot)]
-        proof_assert!({
-            one_tick_more(p.model(), *start, produced.len() - 1, *before, s);
-            true
-        });
+        proof_assert!(one_tick_more(p.model(), *start, produced.len() - 1, *before, s));
     }
     s
 }

@@ -119,10 +119,16 @@ impl Graph for Edges<'_> {
         self.count
     }
 
-    // Trusted: `any` has no contract.
-    #[cfg_attr(feature = "contracts", trusted, requires(i@ < self.size() && j@ < self.size()))]
+    #[cfg_attr(feature = "contracts", requires(i@ < self.size() && j@ < self.size()))]
     #[cfg_attr(feature = "contracts", ensures(result == self.edge(i@, j@)))]
     fn linked(&self, i: usize, j: usize) -> bool {
-        i != j && self.edges.iter().any(|&e| e == (i, j) || e == (j, i))
+        let mut found = false;
+        #[cfg_attr(creusot, invariant(found == exists<k> 0 <= k && k < produced.len() && joins(self.edges@[k], i@, j@)))]
+        for &(a, b) in self.edges {
+            #[cfg(creusot)]
+            proof_assert!((a, b) == self.edges@[produced.len() - 1]);
+            found |= a == i && b == j || a == j && b == i;
+        }
+        i != j && found
     }
 }

@@ -14,14 +14,15 @@ pub use creusot_std::logic::real::Real;
 #[cfg(creusot)]
 pub use creusot_std::prelude::inv;
 pub use creusot_std::prelude::{
-    DeepModel, Int, IteratorSpec, OrdLogic, Seq, Snapshot, View, ensures, extern_spec, invariant,
-    logic, pearlite, proof_assert, requires, snapshot, trusted, variant,
+    DeepModel, Int, OrdLogic, Seq, Snapshot, View, ensures, extern_spec, invariant, logic,
+    pearlite, proof_assert, requires, snapshot, trusted, variant,
 };
 pub use creusot_std::std::ops::{FnExt as _, FnMutExt as _, FnOnceExt as _};
 
-pub mod theorems;
-pub mod verdicts;
+mod lemmas;
+mod verdicts;
 
+pub use self::lemmas::*;
 pub use self::verdicts::*;
 
 use core::convert::AsRef;
@@ -41,9 +42,6 @@ extern_spec! {
         }
         mod convert {
             trait AsRef<T> where T: ?Sized { fn as_ref(&self) -> &T; }
-        }
-        mod iter {
-            trait IntoIterator { fn into_iter(self) -> <Self as IntoIterator>::IntoIter; }
         }
         mod array {
             #[requires(forall<i: usize, g: F> i@ < N@ && f.hist_inv(g) ==> g.precondition((i,)))]
@@ -69,11 +67,20 @@ extern_spec! {
         #[ensures(result@ > 0 ==> (result@ - 1) * rhs@ < self@)]
         fn div_ceil(self, rhs: u32) -> u32;
     }
+
+    impl usize {
+        #[requires(rhs@ > 0)]
+        #[ensures(result@ * rhs@ >= self@)]
+        #[ensures(result@ > 0 ==> (result@ - 1) * rhs@ < self@)]
+        fn div_ceil(self, rhs: usize) -> usize;
+    }
 }
 
 /// That the arithmetic of `S` is the arithmetic of the reals: every operation is defined for all
-/// arguments and has the result that it has there.
+/// arguments and has the result that it has there. (That every place of a sequence has a `usize`
+/// is a hint: the code's answers are about such.)
 #[logic(open, prophetic)]
+#[ensures(forall<x: Seq<S>, k> #[trigger(x[k])] 0 <= k && k < x.len() && x.len() <= usize::MAX@ ==> index(k)@ == k)]
 pub fn exact<S: Scalar>() -> bool {
     pearlite! {
         (forall<a: S, b: &S> <S as Add<&S>>::add.precondition((a, b)))
@@ -111,6 +118,14 @@ pub fn lists<T, F: Fn(usize) -> T>(f: F, len: Int, y: Seq<T>) -> bool {
         y.len() == len && forall<i> 0 <= i && i < len
             ==> exists<u: usize> u@ == i && f.postcondition((u,), y[i])
     }
+}
+
+/// The `usize` of an index.
+#[trusted]
+#[logic(opaque)]
+#[ensures(0 <= k && k <= usize::MAX@ ==> result@ == k)]
+pub fn index(k: Int) -> usize {
+    dead
 }
 
 /// The real numbers that scalars stand for.
@@ -219,27 +234,6 @@ pub fn consensus_step<G: Graph>(eps: Real, g: G, x: Seq<Real>) -> Seq<Real> {
     Seq::create(x.len(), |i: Int| x[i] + eps * pull_of(g, x, i, x.len()))
 }
 
-/// Drones without a link add nothing.
-#[logic]
-#[variant(to)]
-#[requires(0 <= from && from <= to && forall<j> from <= j && j < to ==> !g.edge(i, j))]
-#[ensures(pull_of(g, x, i, to) == pull_of(g, x, i, from))]
-pub fn nobody_there<G: Graph>(g: G, x: Seq<Real>, i: Int, from: Int, to: Int) {
-    if from < to {
-        nobody_there(g, x, i, from, to - 1)
-    }
-}
-
-/// Whoever is in the range is all that drone `i` hears.
-#[logic]
-#[requires(hears(g, i, range) && g.size() == x.len())]
-#[ensures(pull_of(g, x, i, range.start.view()) == int(0))]
-#[ensures(pull_of(g, x, i, range.end.view()) == pull_of(g, x, i, x.len()))]
-pub fn range_is_all<G: Graph>(g: G, x: Seq<Real>, i: Int, range: core::ops::Range<usize>) {
-    nobody_there(g, x, i, 0, range.start.view());
-    nobody_there(g, x, i, range.end.view(), x.len())
-}
-
 /// The index of the last of `count` drones; 0 of none.
 #[logic(open)]
 pub fn last_of(count: Int) -> Int {
@@ -257,6 +251,42 @@ pub fn target(min: Real, max: Real, last: Real, i: Real) -> Real {
 pub fn error(min: Real, max: Real, x: Seq<Real>, i: Int) -> Real {
     let last = int(last_of(x.len()));
     target(min, max, last, int(i)) - last * x[i]
+}
+
+/// `0 <= eps <= 1/2`.
+#[logic(open)]
+pub fn up_to_half(p: Params<Real>) -> bool {
+    int(0) <= p.eps && int(2) * p.eps <= int(1)
+}
+
+/// Drones 0 and N-1 are at the ends of the segment (assumption 1).
+#[logic(open)]
+pub fn anchored(p: Params<Real>, x: Seq<Real>) -> bool {
+    x.len() >= 2 && x[0] == p.min && x[x.len() - 1] == p.max
+}
+
+/// X_i < X_{i+1} for all i (assumption 2, theorem 7.2).
+#[logic(open)]
+pub fn in_order(x: Seq<Real>) -> bool {
+    pearlite! { forall<i> 0 <= i && i + 1 < x.len() ==> x[i] < x[i + 1] }
+}
+
+/// X_i <= T_i for all i (theorem 7.3).
+#[logic(open)]
+pub fn behind(p: Params<Real>, x: Seq<Real>) -> bool {
+    pearlite! { forall<i> 0 <= i && i < x.len() ==> error(p.min, p.max, x, i) >= int(0) }
+}
+
+/// X_i >= T_i for all i: the mirror image of 7.3.
+#[logic(open)]
+pub fn ahead(p: Params<Real>, x: Seq<Real>) -> bool {
+    pearlite! { forall<i> 0 <= i && i < x.len() ==> error(p.min, p.max, x, i) <= int(0) }
+}
+
+/// min <= X_i <= max for all i.
+#[logic(open)]
+pub fn boxed(p: Params<Real>, x: Seq<Real>) -> bool {
+    pearlite! { forall<i> 0 <= i && i < x.len() ==> p.min <= x[i] && x[i] <= p.max }
 }
 
 /// That `after` is `before` after `k` ticks: with the counter at `t`, `t + k` ticks have passed
@@ -286,30 +316,6 @@ pub fn ticked<S: Scalar, M: DroneMap<S>>(p: Params<Real>, s: State<M>, after: St
             after.timesteps@ == s.timesteps@ + 1 && positions(after) == positions(s)
         }
     }
-}
-
-/// The counter after one tick more: it wraps, and a step ends, where it reaches the period.
-#[logic]
-#[requires(passed >= 0 && period > 0)]
-#[ensures(passed.div_euclid(period) >= 0)]
-#[ensures(passed.rem_euclid(period) + 1 < period ==> (passed + 1).rem_euclid(period) == passed.rem_euclid(period) + 1
-    && (passed + 1).div_euclid(period) == passed.div_euclid(period))]
-#[ensures(passed.rem_euclid(period) + 1 == period ==> (passed + 1).rem_euclid(period) == 0
-    && (passed + 1).div_euclid(period) == passed.div_euclid(period) + 1)]
-pub fn counter_more(passed: Int, period: Int) {}
-
-/// The induction step of [`kth_step`](crate::coverage::kth_step).
-#[logic]
-#[requires(k >= 0 && after_ticks(p, start, k, before) && ticked(p, before, after))]
-#[ensures(after_ticks(p, start, k + 1, after))]
-pub fn one_tick_more<S: Scalar, M: DroneMap<S>>(
-    p: Params<Real>,
-    start: State<M>,
-    k: Int,
-    before: State<M>,
-    after: State<M>,
-) {
-    counter_more(start.timesteps.view() + k, p.n.view() + 1)
 }
 
 /// That drone `i` of the delayed step sees the placement `x`: itself as it is in `now`, the
@@ -422,31 +428,6 @@ pub fn moves_on<S: Scalar>(
             } else {
                 placed(after, x, t + 1)
             }
-    }
-}
-
-/// Where a machine goes that knows its neighbours' places.
-#[logic]
-#[requires(knows(m, x, i) && 0 <= i && i < x.len())]
-#[ensures(next(p, x.len(), m.st.prec.model(), m.st.own.model(), m.st.foll.model(), i) == next_of(p, x, i))]
-pub fn one_machine<S: Scalar>(p: Params<Real>, m: SimState<S>, x: Seq<Real>, i: Int) {}
-
-/// Local updates of projections are the global step.
-#[logic]
-#[requires(before.len() == p.count.view() && after.len() == p.count.view())]
-#[requires(forall<i> 0 <= i && i < before.len() ==> copy_updated(p, before[i], after[i]))]
-#[ensures(moves_on(p, before, after))]
-pub fn local_is_global<S: Scalar>(
-    p: LocalParams<S>,
-    before: Seq<SimState<S>>,
-    after: Seq<SimState<S>>,
-) {
-    pearlite! {
-        proof_assert!(forall<i> 0 <= i && i < before.len() ==> local_update(p, before[i], after[i]));
-        proof_assert!(forall<x: Seq<Real>, i> 0 <= i && i < before.len() && x.len() == before.len() && knows(before[i], x, i)
-            ==> { one_machine(p.protocol.model(), before[i], x, i); true }
-            && next(p.protocol.model(), p.count@, before[i].st.prec.model(), before[i].st.own.model(), before[i].st.foll.model(), i)
-                == next_of(p.protocol.model(), x, i))
     }
 }
 

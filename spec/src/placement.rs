@@ -69,12 +69,18 @@ pub fn error_at<S: Scalar>(min: &S, max: &S, last: &S, i: &S, xi: &S) -> S {
 }
 
 /// `(N-1)^2` times the sum of the squared errors: zero exactly at the targets.
-#[cfg_attr(feature = "contracts", trusted)] // without a promise: `fold` has no contract
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(result.model() == energy(min.model(), max.model(), reals(x@), x@.len())))]
 pub fn scaled_energy<S: Scalar>(min: &S, max: &S, x: &[S]) -> S {
-    (0..x.len()).fold(S::from_int(0), |sum, i| {
+    let mut sum = S::from_int(0);
+    #[cfg_attr(creusot, invariant(sum.model() == energy(min.model(), max.model(), reals(x@), produced.len())))]
+    for i in 0..x.len() {
         let e = scaled_error(min, max, x, i);
-        sum + &(e.clone() * &e)
-    })
+        #[cfg(creusot)]
+        proof_assert!(energy(min.model(), max.model(), reals(x@), i@ + 1) == energy(min.model(), max.model(), reals(x@), i@) + e.model() * e.model());
+        sum = sum + &(e.clone() * &e);
+    }
+    sum
 }
 
 /// The contraction vector `w_i = i*(N-1-i)` (PROTOCOL section 2): positive on the internal

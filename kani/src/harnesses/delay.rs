@@ -25,7 +25,7 @@ const GAPS: [Domain; 4] =
 /// link: the property holds after the step. Witness: a stale position was read that mattered.
 fn kept<const N: usize, S: Source>(
     source: &mut S,
-    property: fn(&Setting<Fraction>, &[Fraction]) -> Verdict,
+    property: fn(&Setting<Fraction>, &[Fraction; N]) -> Verdict,
 ) -> Case {
     let line = Line::<N>::draw(source, &STEP)?;
     let (num, den) = (&line.setting.eps_num, &line.setting.eps_den);
@@ -36,7 +36,7 @@ fn kept<const N: usize, S: Source>(
     // Drone i sees drone j now or then, whichever way j lies.
     let late_left: [bool; N] = core::array::from_fn(|_| source.flag());
     let late_right: [bool; N] = core::array::from_fn(|_| source.flag());
-    source.assume(property(&line.setting, line.start()) == Verdict::Holds)?;
+    source.assume(property(&line.setting, &line.state.drones) == Verdict::Holds)?;
     source.assume(property(&line.setting, &stale) == Verdict::Holds)?;
     let next = exec_coverage_delayed(&line.params, &line.state, |i, j| {
         let late = if j < i { late_left[i] } else { late_right[i] };
@@ -46,8 +46,8 @@ fn kept<const N: usize, S: Source>(
     Some(Witness(!same(&line.next(), &next.drones)))
 }
 
-fn upper_bounded(setting: &Setting<Fraction>, x: &[Fraction]) -> Verdict {
-    UpperBound.conclusion(Form::Sharp, setting, &[x])
+fn upper_bounded<const N: usize>(setting: &Setting<Fraction>, x: &[Fraction; N]) -> Verdict {
+    UpperBound.conclusion(Form::Sharp, setting, &[*x])
 }
 
 /// A drone knows itself, and sees the others where it is told: with present positions this is a
@@ -91,7 +91,7 @@ harnesses! {
         => |s| kept::<4, _>(s, upper_bounded);
     /// Four drones that read stale positions stay between the ends.
     box_4("7.3", unwind 5): covering!("N = 4, one step, any link stale, {STEP}")
-        => |s| kept::<4, _>(s, in_box);
+        => |s| kept::<4, _>(s, |setting, x| in_box(setting, x));
     /// With present positions a step is one without delay.
     present_4("delay", unwind 5): covering!("N = 4, one step, {STEP}")
         => |s| present::<4, _>(s);

@@ -14,10 +14,11 @@ const FUNCTIONS: &[&str] = &[
     "theorems::increasing::as_printed",
     "theorems::increasing::first_off_target_is_late",
     "theorems::increasing::span",
-    "theorems::increasing::stays_or_falls",
     "theorems::limit::at_rate",
     "theorems::limit::conclusion",
     "theorems::limit::magnitude",
+    "theorems::limit::weighed",
+    "theorems::placement",
 ];
 
 /// Errors are squared and multiplied by one another.

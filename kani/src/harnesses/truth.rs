@@ -14,11 +14,11 @@ use crate::source::{Case, Domain, Source, Witness};
 const FUNCTIONS: &[&str] = &[
     "theorems::increasing::as_printed",
     "theorems::increasing::first_off_target_is_late",
-    "theorems::increasing::stays_or_falls",
     "theorems::verdict::Truth::all",
     "theorems::verdict::Truth::and",
     "theorems::verdict::Truth::from",
     "theorems::verdict::Truth::is_true",
+    "theorems::verdict::Truth::negated",
     "theorems::verdict::Verdict::for_all",
     "theorems::verdict::Verdict::given",
     "theorems::verdict::Verdict::one",
@@ -96,8 +96,8 @@ fn conjoins<S: Source>(source: &mut S) -> Case {
     assert!(both.is_true() == (a.is_true() && b.is_true()), "true");
     assert!(both == b.and(a), "commutative");
     assert!(both.and(c) == a.and(b.and(c)), "associative");
-    assert!(Truth::all([a, b, c]) == both.and(c), "of many");
-    assert!(Truth::all([]) == Truth::True, "of none");
+    assert!(Truth::all(3, |i| [a, b, c][i]) == both.and(c), "of many");
+    assert!(Truth::all(0, |_| a) == Truth::True, "of none");
     let known = source.flag();
     assert!(Truth::from(known).is_true() == known, "of a bool");
     assert!(Truth::from(known) != Truth::Unknown, "a bool is known");

@@ -1,16 +1,18 @@
 //! Theorem 7.6: the sum is constant exactly at the targets.
 
 #[cfg(feature = "contracts")]
+use super::Theorem;
+#[cfg(feature = "contracts")]
 use crate::model::*;
 
 use super::hypothesis::at_targets;
 use super::verdict::{Subject, Truth, Verdict, Violation, equal};
-use super::{Form, Setting};
+use super::{Form, Setting, placement};
 use crate::placement::sum;
-use crate::{Ordered, Scalar};
+use crate::{DroneMap, Ordered};
 
 /// How many steps beyond k both parts read.
-#[cfg_attr(feature = "contracts", trusted)]
+#[cfg_attr(feature = "contracts", ensures(result@ == steps_read(Theorem::ConstantSum, form, count@)))]
 pub(super) fn span(form: Form, count: usize) -> usize {
     let internal = count.saturating_sub(2).max(1);
     match form {
@@ -21,39 +23,52 @@ pub(super) fn span(form: Form, count: usize) -> usize {
 }
 
 /// At the targets at step k: the sum (paper) or every drone (sharp) stays.
-#[cfg_attr(feature = "contracts", trusted)]
-pub(super) fn targets_fixed<S: Ordered, M: AsRef<[S]>>(
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(decides(result, reach_targets(setting.model(), reals(now@)) ==> remains(form, setting.model(), now@, later@))))]
+pub(super) fn targets_fixed<S: Ordered, M: DroneMap<S>>(
     form: Form,
     setting: &Setting<S>,
     now: &[S],
     later: &[M],
 ) -> Verdict {
-    Verdict::given(at_targets(setting, now), || {
-        let c = sum(now);
-        Verdict::for_all(later.iter().enumerate().map(|(h, x)| {
-            let stays = match form {
-                Form::Paper => equal(&c, &sum(x.as_ref())),
-                Form::Sharp => at_targets(setting, x.as_ref()),
-            };
-            (stays, Violation { step: h + 1, subject: Subject::Sum })
-        }))
-    })
+    Verdict::given(at_targets(setting, now), || remain(form, setting, now, later))
 }
 
-/// A sum that stays over the span means that the drones were at their targets at step k.
-#[cfg_attr(feature = "contracts", trusted)]
-pub(super) fn constant_sum<S: Ordered, M: AsRef<[S]>>(
+#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(decides(result, remains(form, setting.model(), now@, later@))))]
+fn remain<S: Ordered, M: DroneMap<S>>(
+    form: Form,
     setting: &Setting<S>,
     now: &[S],
     later: &[M],
 ) -> Verdict {
-    Verdict::given(stays(&sum(now), later), || {
+    let c = sum(now);
+    let count = later.len();
+    let at = |h| Violation { step: h + 1, subject: Subject::Sum };
+    match form {
+        Form::Paper => Verdict::for_all(count, |h| equal(&c, &sum(placement(&later[h]))), at),
+        Form::Sharp => Verdict::for_all(count, |h| at_targets(setting, placement(&later[h])), at),
+    }
+}
+
+/// A sum that stays over the span means that the drones were at their targets at step k.
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(decides(result, constant(now@, later@, later@.len()) ==> reach_targets(setting.model(), reals(now@)))))]
+pub(super) fn constant_sum<S: Ordered, M: DroneMap<S>>(
+    setting: &Setting<S>,
+    now: &[S],
+    later: &[M],
+) -> Verdict {
+    Verdict::given(stays(now, later, later.len()), || {
         Verdict::one(at_targets(setting, now), 0, Subject::Sum)
     })
 }
 
-/// Whether every placement has the sum `c`.
-#[cfg_attr(feature = "contracts", trusted)]
-pub(super) fn stays<S: Scalar + Ordered, M: AsRef<[S]>>(c: &S, placements: &[M]) -> Truth {
-    Truth::all(placements.iter().map(|x| equal(c, &sum(x.as_ref()))))
+/// Whether the first `count` of the later placements have the sum of `now`.
+#[cfg_attr(feature = "contracts", requires(exact::<S>() && count@ <= later@.len()))]
+#[cfg_attr(feature = "contracts", ensures(says(result, constant(now@, later@, count@))))]
+pub(super) fn stays<S: Ordered, M: DroneMap<S>>(now: &[S], later: &[M], count: usize) -> Truth {
+    let c = sum(now);
+    Truth::all(count, |h| equal(&c, &sum(placement(&later[h]))))
 }

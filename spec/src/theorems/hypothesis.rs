@@ -137,10 +137,10 @@ impl StartSet {
 }
 
 /// X_i < X_{i+1} for all i.
-#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
-#[cfg_attr(feature = "contracts", ensures(says(result, theorems::ordered(reals(x@)))))]
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(says(result, in_order(reals(x@)))))]
 fn ordered<S: Ordered>(x: &[S]) -> Truth {
-    Truth::all(x.iter().zip(x.iter().skip(1)).map(|(a, b)| less(a, b)))
+    Truth::all(x.len().saturating_sub(1), |i| less(&x[i], &x[i + 1]))
 }
 
 /// X_i < min + l for every internal i, multiplied by N-1.
@@ -150,26 +150,22 @@ fn ordered<S: Ordered>(x: &[S]) -> Truth {
 fn in_first_subsegment<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
     let scale = gaps::<S>(x);
     let bound = scale.clone() * &setting.min + &(setting.max.clone() - &setting.min);
-    let internal = x.get(1..x.len().saturating_sub(1)).unwrap_or_default();
-    Truth::all(internal.iter().map(|xi| less(&(scale.clone() * xi), &bound)))
+    Truth::all(x.len().saturating_sub(2), |i| less(&(scale.clone() * &x[i + 1]), &bound))
 }
 
 /// X_i <= T_i for every i.
-#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
-#[cfg_attr(feature = "contracts", ensures(says(result, theorems::behind(setting.model(), reals(x@)))))]
+#[cfg_attr(feature = "contracts", ensures(says(result, behind(setting.model(), reals(x@)))))]
 fn upper_bounded<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
     let zero = S::from_int(0);
-    let error = |i| scaled_error(&setting.min, &setting.max, x, i);
-    Truth::all((0..x.len()).map(|i| at_most(&zero, &error(i))))
+    Truth::all(x.len(), |i| at_most(&zero, &scaled_error(&setting.min, &setting.max, x, i)))
 }
 
 /// X_i = T_i for every i.
-#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
 #[cfg_attr(feature = "contracts", ensures(says(result, reach_targets(setting.model(), reals(x@)))))]
 pub(super) fn at_targets<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
-    Truth::all((0..x.len()).map(|i| at_target(setting, x, i)))
+    Truth::all(x.len(), |i| at_target(setting, x, i))
 }
 
 /// X_i = T_i.

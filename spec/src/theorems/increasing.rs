@@ -1,22 +1,22 @@
 //! Theorem 7.7: while a drone is off its target the sum of the positions will increase.
 
-use core::cmp::Ordering;
-
 #[cfg(feature = "contracts")]
-use crate::model::*;
+use super::Theorem;
+#[cfg(feature = "contracts")]
+use crate::model::{self, *};
 
 use super::fixed_point::stays;
 use super::hypothesis::at_target;
-use super::verdict::{Subject, Truth, Verdict, equal, less};
-use super::{Form, Setting};
-use crate::Ordered;
+use super::verdict::{Subject, Truth, Verdict, at_most, equal, less};
+use super::{Form, Setting, placement};
 use crate::placement::{scaled_error, sum};
+use crate::{DroneMap, Ordered};
 
 /// The smallest j at which the printed premise allows the first off-target drone.
 const PRINTED_FIRST_OFF_TARGET: usize = 3;
 
 /// How many steps beyond k the conclusion reads.
-#[cfg_attr(feature = "contracts", trusted)]
+#[cfg_attr(feature = "contracts", ensures(result@ == steps_read(Theorem::GloballyIncreasing, form, count@)))]
 pub(super) fn span(form: Form, count: usize) -> usize {
     let internal = count.saturating_sub(2).max(1);
     match form {
@@ -27,8 +27,9 @@ pub(super) fn span(form: Form, count: usize) -> usize {
     }
 }
 
-#[cfg_attr(feature = "contracts", trusted)]
-pub(super) fn conclusion<S: Ordered, M: AsRef<[S]>>(
+#[cfg_attr(feature = "contracts", requires(model::exact::<S>() && later@.len() > 0))]
+#[cfg_attr(feature = "contracts", ensures(decides(result, match form { Form::Paper => increases_as_printed(setting.model(), now@, later@), Form::Sharp => increases(setting.model(), now@, later@) })))]
+pub(super) fn conclusion<S: Ordered, M: DroneMap<S>>(
     form: Form,
     setting: &Setting<S>,
     now: &[S],
@@ -40,28 +41,25 @@ pub(super) fn conclusion<S: Ordered, M: AsRef<[S]>>(
     }
 }
 
-#[cfg_attr(feature = "contracts", trusted)]
-fn as_printed<S: Ordered, M: AsRef<[S]>>(setting: &Setting<S>, now: &[S], later: &[M]) -> Verdict {
-    let premise = stays(&sum(now), later.get(..1).unwrap_or_default())
-        .and(first_off_target_is_late(setting, now));
+/// If the sum stays in the next step, it increases in one after that. At least one placement
+/// is later.
+#[cfg_attr(feature = "contracts", requires(model::exact::<S>() && later@.len() > 0))]
+#[cfg_attr(feature = "contracts", ensures(decides(result, increases_as_printed(setting.model(), now@, later@))))]
+fn as_printed<S: Ordered, M: DroneMap<S>>(setting: &Setting<S>, now: &[S], later: &[M]) -> Verdict {
+    let premise = stays(now, later, 1).and(first_off_target_is_late(setting, now));
     Verdict::given(premise, || {
-        let constant = match later {
-            [next, rest @ ..] => stays_or_falls(&sum(next.as_ref()), rest),
-            [] => Truth::Unknown,
-        };
-        let increases = match constant {
-            Truth::True => Truth::False,
-            Truth::False => Truth::True,
-            Truth::Unknown => Truth::Unknown,
-        };
+        let falls = |h: usize| at_most(&sum(placement(&later[h + 1])), &sum(placement(&later[h])));
+        let increases = Truth::all(later.len() - 1, falls).negated();
         Verdict::one(increases, later.len(), Subject::Sum)
     })
 }
 
 /// Whether the first drone off its target is behind its target and has index 3 or more.
-#[cfg_attr(feature = "contracts", trusted)]
+#[cfg_attr(feature = "contracts", requires(model::exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(says(result, late(setting.model(), reals(x@)))))]
 fn first_off_target_is_late<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
     let zero = S::from_int(0);
+    #[cfg_attr(creusot, invariant(on_targets(setting.model(), reals(x@), produced.len())))]
     for j in 0..x.len() {
         match at_target(setting, x, j) {
             Truth::True => {}
@@ -75,22 +73,11 @@ fn first_off_target_is_late<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth 
     Truth::False
 }
 
-/// Whether the sum never increases from `c` on through the placements.
-#[cfg_attr(feature = "contracts", trusted)]
-fn stays_or_falls<S: Ordered, M: AsRef<[S]>>(c: &S, placements: &[M]) -> Truth {
-    let mut before = c.clone();
-    let mut answer = Truth::True;
-    for x in placements {
-        let after = sum(x.as_ref());
-        answer = answer.and(super::verdict::at_most(&after, &before));
-        before = after;
-    }
-    answer
-}
-
 /// The sum stays until step k+h and increases in the next, with h as predicted.
-#[cfg_attr(feature = "contracts", trusted)]
-fn exact<S: Ordered, M: AsRef<[S]>>(setting: &Setting<S>, now: &[S], later: &[M]) -> Verdict {
+#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
+#[cfg_attr(feature = "contracts", requires(model::exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(decides(result, increases(setting.model(), now@, later@))))]
+fn exact<S: Ordered, M: DroneMap<S>>(setting: &Setting<S>, now: &[S], later: &[M]) -> Verdict {
     let last = now.len().saturating_sub(1);
     let mut first_increase: Option<usize> = None;
     for j in 0..now.len() {
@@ -98,7 +85,10 @@ fn exact<S: Ordered, M: AsRef<[S]>>(setting: &Setting<S>, now: &[S], later: &[M]
             Truth::True => {}
             Truth::False => {
                 let depth = j.min(last - j);
-                first_increase = Some(first_increase.map_or(depth, |d| d.min(depth)));
+                first_increase = match first_increase {
+                    Some(before) if before < depth => Some(before),
+                    _ => Some(depth),
+                };
             }
             Truth::Unknown => return Verdict::Undecided,
         }
@@ -113,13 +103,15 @@ fn exact<S: Ordered, M: AsRef<[S]>>(setting: &Setting<S>, now: &[S], later: &[M]
     let c = sum(now);
     // Over all of the run, and no slice of it: its length depends on positions, and a loop's
     // must not.
-    let as_predicted = Truth::all(later.iter().enumerate().map(|(h, x)| {
-        let after = sum(x.as_ref());
-        match (h + 1).cmp(&step) {
-            Ordering::Less => equal(&c, &after),
-            Ordering::Equal => less(&c, &after),
-            Ordering::Greater => Truth::True,
+    let as_predicted = Truth::all(later.len(), |h| {
+        let after = sum(placement(&later[h]));
+        if h + 1 < step {
+            equal(&c, &after)
+        } else if h + 1 == step {
+            less(&c, &after)
+        } else {
+            Truth::True
         }
-    }));
+    });
     Verdict::one(as_predicted, step, Subject::Sum)
 }

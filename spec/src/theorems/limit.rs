@@ -14,28 +14,23 @@ use crate::model::*;
 
 use super::hypothesis::at_targets;
 use super::verdict::{Subject, Truth, Verdict, Violation, at_most, less};
-use super::{Form, Setting, WeightRange};
-use crate::Ordered;
-use crate::placement::{contraction_weight, scaled_energy, scaled_error};
+use super::{Form, Setting, WeightRange, placement};
+use crate::placement::{contraction_weight, gaps, scaled_energy, scaled_error};
+use crate::{DroneMap, Ordered};
 
-#[cfg_attr(feature = "contracts", trusted)]
-pub(super) fn conclusion<S: Ordered, M: AsRef<[S]>>(
+#[cfg_attr(feature = "contracts", requires(exact::<S>() && now@.len() * now@.len() <= usize::MAX@ && later@.len() > 0 && later@[0].seq().len() == now@.len()))]
+#[cfg_attr(feature = "contracts", ensures(decides(result, approaches(form, *setting, now@, later@[0].seq()))))]
+pub(super) fn conclusion<S: Ordered, M: DroneMap<S>>(
     form: Form,
     setting: &Setting<S>,
     now: &[S],
     later: &[M],
 ) -> Verdict {
-    let off_targets = match at_targets(setting, now) {
-        Truth::True => Truth::False,
-        Truth::False => Truth::True,
-        Truth::Unknown => Truth::Unknown,
-    };
-    Verdict::given(off_targets, || {
-        let Some(next) = later.first().map(AsRef::as_ref) else {
-            return Verdict::Undecided;
-        };
-        let energy = |x| scaled_energy(&setting.min, &setting.max, x);
-        match Verdict::one(less(&energy(next), &energy(now)), 1, Subject::Energy) {
+    Verdict::given(at_targets(setting, now).negated(), || {
+        let next = placement(&later[0]);
+        let after = scaled_energy(&setting.min, &setting.max, next);
+        let before = scaled_energy(&setting.min, &setting.max, now);
+        match Verdict::one(less(&after, &before), 1, Subject::Energy) {
             Verdict::Holds if form == Form::Sharp => at_rate(setting, now, next),
             verdict => verdict,
         }
@@ -45,7 +40,9 @@ pub(super) fn conclusion<S: Ordered, M: AsRef<[S]>>(
 /// The contraction in one step: for every internal i there is an internal j with
 /// (N-1)^2 den |e_i'| w_j <= ((N-1)^2 den - 8 num) |e_j| w_i. Holds trivially beyond 1/2,
 /// where the rate is not claimed.
-#[cfg_attr(feature = "contracts", trusted)]
+#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
+#[cfg_attr(feature = "contracts", requires(exact::<S>() && now@.len() * now@.len() <= usize::MAX@ && next@.len() == now@.len()))]
+#[cfg_attr(feature = "contracts", ensures(decides(result, shrinks(*setting, now@, next@))))]
 fn at_rate<S: Ordered>(setting: &Setting<S>, now: &[S], next: &[S]) -> Verdict {
     let count = now.len();
     let (num, den) = (&setting.eps_num, &setting.eps_den);
@@ -54,43 +51,38 @@ fn at_rate<S: Ordered>(setting: &Setting<S>, now: &[S], next: &[S]) -> Verdict {
         Truth::False => return Verdict::Holds,
         Truth::Unknown => return Verdict::Undecided,
     }
-    let error = |x, i| magnitude(scaled_error(&setting.min, &setting.max, x, i));
-    let square = S::from_index(count - 1) * &S::from_index(count - 1);
-    let whole = square * den;
+    let whole = gaps::<S>(now) * &gaps(now) * den;
     let kept = whole.clone() - &(S::from_int(8) * num);
-    let weight = |i| S::from_index(contraction_weight(count, i));
-    let bounded_by = |i: usize, j: usize| -> Truth {
-        match (error(next, i), error(now, j)) {
-            (Some(after), Some(before)) => at_most(
-                &(whole.clone() * &after * &weight(j)),
-                &(kept.clone() * &before * &weight(i)),
-            ),
-            _ => Truth::Unknown,
-        }
+    let side = |factor: &S, x: &[S], i: usize, j: usize| {
+        weighed(
+            factor,
+            scaled_error(&setting.min, &setting.max, x, i),
+            contraction_weight(count, j),
+        )
     };
-    Verdict::for_all((1..count - 1).map(|i| {
-        let some = any((1..count - 1).map(|j| bounded_by(i, j)));
-        (some, Violation { step: 1, subject: Subject::Drone(i) })
-    }))
+    let bounded_by = |i: usize, j: usize| match (side(&whole, next, i, j), side(&kept, now, j, i)) {
+        (Some(after), Some(before)) => at_most(&after, &before),
+        _ => Truth::Unknown,
+    };
+    let internal = count.saturating_sub(2);
+    Verdict::for_all(
+        internal,
+        |i| Truth::any(internal, |j| bounded_by(i + 1, j + 1)),
+        |i| Violation { step: 1, subject: Subject::Drone(i + 1) },
+    )
+}
+
+/// `factor * |e| * weight`, where the sign of `e` is known.
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(forall<r> result == Some(r) ==> r.model() == factor.model() * absolute(e.model()) * int(weight@)))]
+fn weighed<S: Ordered>(factor: &S, e: S, weight: usize) -> Option<S> {
+    Some(factor.clone() * &magnitude(e)? * &S::from_index(weight))
 }
 
 /// The absolute value, where the sign is known.
-#[cfg_attr(feature = "contracts", trusted)]
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(forall<r> result == Some(r) ==> r.model() == absolute(e.model())))]
 fn magnitude<S: Ordered>(e: S) -> Option<S> {
     let zero = S::from_int(0);
     Some(if e.compare(&zero)? == Ordering::Less { zero - &e } else { e })
-}
-
-/// Disjunction of many.
-#[cfg_attr(feature = "contracts", trusted)]
-fn any(answers: impl IntoIterator<Item = Truth>) -> Truth {
-    let mut answer = Truth::False;
-    for truth in answers {
-        match truth {
-            Truth::True => return Truth::True,
-            Truth::Unknown => answer = Truth::Unknown,
-            Truth::False => {}
-        }
-    }
-    answer
 }

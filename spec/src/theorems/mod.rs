@@ -30,7 +30,7 @@ use creusot_std::prelude::{Clone, PartialEq};
 #[cfg(feature = "contracts")]
 use crate::model::*;
 
-use crate::{Ordered, Params, Scalar};
+use crate::{DroneMap, Ordered, Params, Scalar};
 
 /// What the theorems speak about: the segment's ends, and the weight as a quotient, so that
 /// positions and weight may be measured in different units.
@@ -48,7 +48,8 @@ pub struct Setting<S> {
 }
 
 impl<S: Scalar> From<&Params<S>> for Setting<S> {
-    #[cfg_attr(feature = "contracts", trusted)] // `From` allows no precondition
+    // Trusted, since `From` allows no precondition.
+    #[cfg_attr(feature = "contracts", trusted, ensures(exact::<S>() ==> result.model().eps == p.eps.model() && result.min.model() == p.min.model() && result.max.model() == p.max.model()))]
     fn from(p: &Params<S>) -> Self {
         Self {
             min: p.min.clone(),
@@ -57,6 +58,12 @@ impl<S: Scalar> From<&Params<S>> for Setting<S> {
             eps_den: S::from_int(1),
         }
     }
+}
+
+/// The positions of a placement.
+#[cfg_attr(feature = "contracts", ensures(result@ == x.seq()))]
+fn placement<S: Scalar, M: DroneMap<S>>(x: &M) -> &[S] {
+    x.as_ref()
 }
 
 /// Which reading of a theorem is meant.
@@ -177,7 +184,7 @@ impl Theorem {
     /// Statements about *all* later steps are decided by finitely many: the increments of the
     /// sum obey a linear recurrence of order N-2 (Cayley-Hamilton on the internal drones), so
     /// N-2 zeros in a row mean zeros for ever.
-    #[cfg_attr(feature = "contracts", trusted)]
+    #[cfg_attr(feature = "contracts", ensures(result@ == steps_read(self, form, count@)))]
     pub fn span(self, form: Form, count: usize) -> usize {
         match self {
             Self::Ordering | Self::UpperBound | Self::SumBounded | Self::SumMaximal => 0,
@@ -189,16 +196,19 @@ impl Theorem {
 
     /// Whether the conclusion holds of the run `X^k, X^{k+1}, ...`, at least `span + 1`
     /// placements of N >= 3 drones each. Of a shorter run nothing is said: `Undecided`.
-    #[cfg_attr(feature = "contracts", trusted)]
-    pub fn conclusion<S: Ordered, M: AsRef<[S]>>(
+    #[cfg_attr(feature = "contracts", requires(exact::<S>() && forall<h> 0 <= h && h < run@.len() ==> run@[h].seq().len() == run@[0].seq().len()))]
+    #[cfg_attr(feature = "contracts", requires(run@.len() > 0 ==> run@[0].seq().len() >= 3 && run@[0].seq().len() * run@[0].seq().len() <= usize::MAX@))]
+    #[cfg_attr(feature = "contracts", ensures(decides(result, concludes(self, form, *setting, run@))))]
+    pub fn conclusion<S: Ordered, M: DroneMap<S>>(
         self,
         form: Form,
         setting: &Setting<S>,
         run: &[M],
     ) -> Verdict {
-        let Some(now) = run.first().map(AsRef::as_ref) else {
+        let Some(now) = run.first() else {
             return Verdict::Undecided;
         };
+        let now = placement(now);
         let Some(later) = run.get(1..=self.span(form, now.len())) else {
             return Verdict::Undecided;
         };

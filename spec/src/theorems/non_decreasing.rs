@@ -3,33 +3,33 @@
 #[cfg(feature = "contracts")]
 use crate::model::*;
 
-use super::Setting;
 use super::hypothesis::at_targets;
 use super::verdict::{Subject, Verdict, at_most, equal};
+use super::{Setting, placement};
 use crate::placement::{gap, sum};
-use crate::{Ordered, Scalar};
+use crate::{DroneMap, Ordered, Scalar};
 
 /// c^{k+1} >= c^k.
-#[cfg_attr(feature = "contracts", trusted)]
-pub(super) fn conclusion<S: Ordered, M: AsRef<[S]>>(now: &[S], later: &[M]) -> Verdict {
-    let c = sum(now);
-    later.first().map_or(Verdict::Undecided, |next| {
-        Verdict::one(at_most(&c, &sum(next.as_ref())), 1, Subject::Sum)
-    })
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(decides(result, sum_of(now@) <= sum_of(later@[0].seq()))))]
+pub(super) fn conclusion<S: Ordered, M: DroneMap<S>>(now: &[S], later: &[M]) -> Verdict {
+    match later.first() {
+        Some(next) => Verdict::one(at_most(&sum(now), &sum(placement(next))), 1, Subject::Sum),
+        None => Verdict::Undecided,
+    }
 }
 
 /// At the targets, c^{k+1} = c^k.
-#[cfg_attr(feature = "contracts", trusted)]
-pub(super) fn stationary<S: Ordered, M: AsRef<[S]>>(
+#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", ensures(decides(result, reach_targets(setting.model(), reals(now@)) ==> sum_of(later@[0].seq()) == sum_of(now@))))]
+pub(super) fn stationary<S: Ordered, M: DroneMap<S>>(
     setting: &Setting<S>,
     now: &[S],
     later: &[M],
 ) -> Verdict {
-    Verdict::given(at_targets(setting, now), || {
-        let c = sum(now);
-        later.first().map_or(Verdict::Undecided, |next| {
-            Verdict::one(equal(&c, &sum(next.as_ref())), 1, Subject::Sum)
-        })
+    Verdict::given(at_targets(setting, now), || match later.first() {
+        Some(next) => Verdict::one(equal(&sum(now), &sum(placement(next))), 1, Subject::Sum),
+        None => Verdict::Undecided,
     })
 }
 

@@ -11,7 +11,7 @@ use crate::placement::scaled_error;
 
 /// X_i <= T_i for all i.
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
-#[cfg_attr(feature = "contracts", ensures(decides(result, theorems::behind(setting.model(), reals(x@)))))]
+#[cfg_attr(feature = "contracts", ensures(decides(result, behind(setting.model(), reals(x@)))))]
 pub(super) fn conclusion<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Verdict {
     let zero = S::from_int(0);
     for_each_drone(x, |i| at_most(&zero, &scaled_error(&setting.min, &setting.max, x, i)))
@@ -19,27 +19,21 @@ pub(super) fn conclusion<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Verdict {
 
 /// The mirror image of 7.3: X_i >= T_i for all i, preserved for 0 <= eps <= 1/2 as well.
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
-#[cfg_attr(feature = "contracts", ensures(decides(result, theorems::ahead(setting.model(), reals(x@)))))]
+#[cfg_attr(feature = "contracts", ensures(decides(result, ahead(setting.model(), reals(x@)))))]
 pub fn above_targets<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Verdict {
     let zero = S::from_int(0);
     for_each_drone(x, |i| at_most(&scaled_error(&setting.min, &setting.max, x, i), &zero))
 }
 
 /// min <= X_i <= max for all i: the box, preserved for 0 <= eps <= 1/2.
-#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
-#[cfg_attr(feature = "contracts", ensures(decides(result, theorems::boxed(setting.model(), reals(x@)))))]
+#[cfg_attr(feature = "contracts", ensures(decides(result, boxed(setting.model(), reals(x@)))))]
 pub fn in_box<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Verdict {
     for_each_drone(x, |i| at_most(&setting.min, &x[i]).and(at_most(&x[i], &setting.max)))
 }
 
-#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
 #[cfg_attr(feature = "contracts", requires(forall<i: usize> i@ < x@.len() ==> holds.precondition((i,))))]
-#[cfg_attr(feature = "contracts", ensures(exists<given: Seq<Truth>> given.len() == x@.len() && (forall<k> 0 <= k && k < given.len() ==> exists<i: usize> i@ == k && holds.postcondition((i,), given[k]))
-    && (result == Verdict::Holds ==> forall<k> 0 <= k && k < given.len() ==> given[k] == Truth::True)
-    && (forall<v> result == Verdict::Violated(v) ==> exists<k> 0 <= k && k < given.len() && given[k] == Truth::False)))]
+#[cfg_attr(feature = "contracts", ensures(verdict_of(holds, x@.len(), result)))]
 fn for_each_drone<S>(x: &[S], holds: impl Fn(usize) -> Truth) -> Verdict {
-    Verdict::for_all(
-        (0..x.len()).map(|i| (holds(i), Violation { step: 0, subject: Subject::Drone(i) })),
-    )
+    Verdict::for_all(x.len(), holds, |i| Violation { step: 0, subject: Subject::Drone(i) })
 }

@@ -9,8 +9,6 @@ use creusot_std::prelude::{Clone, PartialEq};
 use crate::model::*;
 
 use crate::Ordered;
-#[cfg(not(creusot))]
-use core::iter::Iterator as IteratorSpec;
 
 /// Whether something is so.
 #[derive(Clone, Copy, PartialEq)]
@@ -42,24 +40,39 @@ impl Truth {
         self == Self::True
     }
 
-    /// Conjunction of many.
-    #[cfg_attr(feature = "contracts", requires(I::into_iter.precondition((answers,))))]
-    #[cfg_attr(feature = "contracts", ensures(exists<it: I::IntoIter, given: Seq<Truth>> I::into_iter.postcondition((answers,), it) && all_of(it, given) && conjunction(given, result)))]
-    pub fn all<I: IntoIterator<Item = Self, IntoIter: IteratorSpec>>(answers: I) -> Self {
+    /// Negation.
+    #[cfg_attr(feature = "contracts", ensures(result == match self { Truth::True => Truth::False, Truth::False => Truth::True, Truth::Unknown => Truth::Unknown }))]
+    pub(super) fn negated(self) -> Self {
+        match self {
+            Self::True => Self::False,
+            Self::False => Self::True,
+            Self::Unknown => Self::Unknown,
+        }
+    }
+
+    /// Conjunction of the answers about `0 .. count`.
+    #[cfg_attr(feature = "contracts", requires(forall<i: usize> i@ < count@ ==> holds.precondition((i,))))]
+    #[cfg_attr(feature = "contracts", ensures(conjunction(holds, count@, result)))]
+    pub fn all(count: usize, holds: impl Fn(usize) -> Self) -> Self {
         let mut answer = Self::True;
-        #[cfg(creusot)]
-        let mut seen = snapshot!(Seq::empty());
-        #[cfg_attr(creusot, invariant(*seen == *produced && conjunction(*produced, answer)))]
-        for truth in answers {
-            #[cfg(creusot)]
-            proof_assert!({
-                one_answer_more(*seen, answer, truth);
-                conjunction(*produced, both(answer, truth))
-            });
-            answer = answer.and(truth);
-            #[cfg(creusot)]
-            {
-                seen = snapshot!(*produced);
+        #[cfg_attr(creusot, invariant(conjunction(holds, produced.len(), answer)))]
+        for i in 0..count {
+            answer = answer.and(holds(i));
+        }
+        answer
+    }
+
+    /// Disjunction of the answers about `0 .. count`.
+    #[cfg_attr(feature = "contracts", requires(forall<i: usize> i@ < count@ ==> holds.precondition((i,))))]
+    #[cfg_attr(feature = "contracts", ensures(disjunction(holds, count@, result)))]
+    pub(super) fn any(count: usize, holds: impl Fn(usize) -> Self) -> Self {
+        let mut answer = Self::False;
+        #[cfg_attr(creusot, invariant(disjunction(holds, produced.len(), answer) && answer != Truth::True))]
+        for i in 0..count {
+            match holds(i) {
+                Self::True => return Self::True,
+                Self::Unknown => answer = Self::Unknown,
+                Self::False => {}
             }
         }
         answer
@@ -136,18 +149,21 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// `Violated` at the first certain no, else `Undecided` if some answer is unknown.
-    #[cfg_attr(feature = "contracts", trusted)] // promised, not proved
-    #[cfg_attr(feature = "contracts", requires(I::into_iter.precondition((answers,))))]
-    #[cfg_attr(feature = "contracts", ensures(exists<it: I::IntoIter, given: Seq<(Truth, Violation)>> I::into_iter.postcondition((answers,), it) && judged(it, given, result)))]
-    pub(super) fn for_all<I: IntoIterator<Item = (Truth, Violation), IntoIter: IteratorSpec>>(
-        answers: I,
+    /// The verdict on the answers about `0 .. count`: `Violated` at the first certain no, else
+    /// `Undecided` if some answer is unknown.
+    #[cfg_attr(feature = "contracts", requires(forall<i: usize> i@ < count@ ==> holds.precondition((i,)) && at.precondition((i,))))]
+    #[cfg_attr(feature = "contracts", ensures(verdict_of(holds, count@, result)))]
+    pub(super) fn for_all(
+        count: usize,
+        holds: impl Fn(usize) -> Truth,
+        at: impl Fn(usize) -> Violation,
     ) -> Self {
         let mut verdict = Self::Holds;
-        for (truth, violation) in answers {
-            match truth {
+        #[cfg_attr(creusot, invariant(verdict_of(holds, produced.len(), verdict) && (verdict == Verdict::Holds || verdict == Verdict::Undecided)))]
+        for i in 0..count {
+            match holds(i) {
                 Truth::True => {}
-                Truth::False => return Self::Violated(violation),
+                Truth::False => return Self::Violated(at(i)),
                 Truth::Unknown => verdict = Self::Undecided,
             }
         }
@@ -157,7 +173,11 @@ impl Verdict {
     /// The verdict of one answer.
     #[cfg_attr(feature = "contracts", ensures(result == match truth { Truth::True => Verdict::Holds, Truth::False => Verdict::Violated(Violation { step, subject }), Truth::Unknown => Verdict::Undecided }))]
     pub(super) fn one(truth: Truth, step: usize, subject: Subject) -> Self {
-        Self::for_all([(truth, Violation { step, subject })])
+        match truth {
+            Truth::True => Self::Holds,
+            Truth::False => Self::Violated(Violation { step, subject }),
+            Truth::Unknown => Self::Undecided,
+        }
     }
 
     /// The verdict of an implication: `conclusion` counts only where `premise` holds.

@@ -3,10 +3,10 @@
 use std::fmt;
 
 use cordon_core::theorems::{starts, words};
-use cordon_spec::Ordered;
 use cordon_spec::theorems::{
     Form, Setting, StartSet, Theorem, Truth, Verdict, WeightRange, above_targets, in_box,
 };
+use cordon_spec::{DroneMap, Ordered};
 
 use cordon_core::{Error, Result};
 
@@ -136,7 +136,7 @@ impl Conjecture {
     }
 
     /// Whether the conclusion holds of the run `X^k, X^{k+1}, ...`.
-    pub fn conclusion<S: Ordered, M: AsRef<[S]>>(
+    pub fn conclusion<S: Ordered, M: DroneMap<S>>(
         self,
         form: Form,
         setting: &Setting<S>,

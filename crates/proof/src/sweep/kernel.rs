@@ -7,8 +7,8 @@
 
 use std::mem::replace;
 
-use cordon_spec::Scalar;
 use cordon_spec::theorems::{Form, Setting, Theorem, Verdict};
+use cordon_spec::{DroneMap, Scalar};
 
 use num_bigint::BigInt;
 use num_traits::Zero;
@@ -20,7 +20,7 @@ use cordon_core::stencil::{Role, Stencil, Weights};
 /// vector otherwise.
 pub trait Shape {
     /// A placement of scalars `S`.
-    type Of<S: Clone + Send + Sync>: AsRef<[S]> + AsMut<[S]> + Clone + Send + Sync;
+    type Of<S: Clone + Send + Sync>: DroneMap<S> + AsMut<[S]> + Clone + Send + Sync;
 
     /// A placement of `count` drones, drone i at `f(i)`.
     fn build<S: Clone + Send + Sync>(count: usize, f: impl FnMut(usize) -> S) -> Self::Of<S>;
@@ -132,7 +132,7 @@ pub struct Window<S, M> {
     pub run: Vec<M>,
 }
 
-impl<S: Scalar + Send + Sync, M: AsRef<[S]> + AsMut<[S]> + Clone> Window<S, M> {
+impl<S: Scalar + Send + Sync, M: DroneMap<S> + AsMut<[S]> + Clone> Window<S, M> {
     /// The window of step 0 for a start in a segment.
     pub fn new(setting: Setting<S>, start: M, span: usize, update: &Update<S>) -> Self {
         let mut window = Self { setting, run: Vec::with_capacity(span + 1) };

@@ -130,7 +130,7 @@ pub fn sought(
     match answer {
         Answer::Refuted(start, choices) => match follow(system, values, &start, choices) {
             Some(run) => Sought::Fails(run),
-            None => Sought::NotUpTo(0, End::Failure),
+            None => Sought::NotUpTo(0, End::Steps),
         },
         Answer::Proved(proof) => Sought::Never(proof),
         Answer::Open(depth, end) => Sought::NotUpTo(depth, end),

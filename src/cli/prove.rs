@@ -20,7 +20,7 @@ use cordon_proof::refute;
 )]
 pub struct Args {
     /// What to prove: `all`, or names separated by commas: theorems (7.2, 7.4ii, ...), their
-    /// extensions (7.2-activation, ...), 7.2-exact, 7.3-exact
+    /// extensions (7.2-activation, ...; a wrong one like 7.2-x lists them), 7.2-exact, 7.3-exact
     #[arg(value_name = "CLAIMS", default_value = "all", conflicts_with = "protocol")]
     pub claims: String,
     #[command(flatten)]
@@ -219,10 +219,9 @@ fn claims(args: &Args, narrowed: &Scope) -> Result<Vec<(&'static Claim, Form)>> 
     };
     let known = |n: &&&str| **n == "all" || CLAIMS.iter().any(|c| named(c, n));
     if let Some(name) = names.iter().find(|n| !known(n)) {
-        let claims = CLAIMS.map(|c| c.name).join(", ");
         return Err(Error::input(format!(
             "claim: `{name}` is unknown: expected {}",
-            theorems::expected(name, &claims)
+            theorems::expected(name, &like(name))
         )));
     }
     // `all` has claims with one form only; who names such a claim is told.
@@ -243,6 +242,21 @@ fn claims(args: &Args, narrowed: &Scope) -> Result<Vec<(&'static Claim, Form)>> 
         .filter(wanted)
         .flat_map(|c| forms_of(c).iter().map(move |&f| (c, f)))
         .collect())
+}
+
+/// The claims that a wrong name may be one of: the extensions of a theorem, where it begins like them, else
+/// those that are no extensions.
+fn like(name: &str) -> String {
+    let part = |name: &'static str| name.split_once('-').map_or(name, |(theorem, _)| theorem);
+    let begins = name.split_once('-').map_or(name, |(theorem, _)| theorem);
+    let all = CLAIMS.map(|c| c.name);
+    let some: Vec<&str> = all.into_iter().filter(|n| part(n) == begins).collect();
+    if !some.is_empty() {
+        return some.join(", ");
+    }
+    let whole = |n: &&str| !n.starts_with("7.") || !n.contains('-');
+    let some: Vec<&str> = all.into_iter().filter(whole).collect();
+    format!("{}; or an extension like 7.2-activation", some.join(", "))
 }
 
 fn drones(text: &str) -> Result<Option<u32>> {

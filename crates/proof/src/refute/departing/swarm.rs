@@ -190,7 +190,7 @@ impl Protocol for Swarm {
             Departures::Skips => (1..self.count - 1).map(|i| choice(format!("acts{i}"))).collect(),
             Departures::Late(longest) => {
                 let of =
-                    |(i, j)| (1..=longest).map(move |age| choice(format!("late{i}_{j}_{age}")));
+                    |(i, j)| (1..=longest).map(move |age| choice(format!("late{i}of{j}by{age}")));
                 self.links().into_iter().flat_map(of).collect()
             }
         }

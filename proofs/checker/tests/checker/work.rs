@@ -1,11 +1,14 @@
 //! Work is counted as FORMAT.md says, so that a file's cost is known before it is checked.
 
+use cordon_check::check;
 use cordon_check::expr::{Literal, Relation, Sort};
-use cordon_check::format::{Positivity, Proof};
+use cordon_check::format::{Linear, Positivity, Proof};
 use cordon_check::kernel::{Clause, Kernel};
+use cordon_check::linear::System;
 use cordon_check::number::{MAX_NUMBER, MAX_WORK, Number, charge, done, exhausted, refill, spend};
 use cordon_check::poly::Poly;
 use cordon_spec::{Ordered, Scalar};
+use serde_json::json;
 
 fn cost<T>(f: impl FnOnce() -> T) -> u64 {
     refill();
@@ -96,4 +99,27 @@ fn a_step_costs_its_clause_and_a_name_its_variables() {
     assert_eq!(of(&clause), 128 * (4 + 3) + 128);
     assert_eq!(cost(|| kernel.fresh("s", &clause.vars).unwrap()), 128 + 3);
     assert!(kernel.fresh("q", &clause.vars).is_err());
+}
+
+#[test]
+fn a_vertex_and_a_row_of_a_run_cost_what_they_are() {
+    let system = json!({ "state": ["x"], "parameters": { "d": ["0", "1"] }, "modes": { "m": {} } });
+    let written: Linear = serde_json::from_value(system).unwrap();
+    refill();
+    let system = System::read(&written).unwrap();
+    // The parameter's own 128; a product of constants and a sum for the end that is not 0.
+    assert_eq!(cost(|| system.vertices(&[Poly::var("d")]).unwrap()), 128 + 2 * 128 + 128);
+    let run = |steps: usize| {
+        let names = ["a", "b", "c", "d", "e"];
+        let rows: serde_json::Value = names.iter().map(|n| ((*n).to_owned(), json!("0"))).collect();
+        let body = json!({
+            "system": { "state": names, "modes": { "m": rows } }, "start": vec!["1"; 5], "claim": "a > 0",
+            "steps": vec![json!({ "by": "m" }); steps],
+        });
+        let page =
+            json!({ "schema": "cordon-certificate/2", "certificate": { "counterexample": body } });
+        assert_eq!(check(&page.to_string()).code(), 0);
+        done()
+    };
+    assert_eq!(run(3) - run(2), 128 * 5);
 }

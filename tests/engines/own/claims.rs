@@ -156,8 +156,6 @@ fn every_number_of_agents_is_proved_where_the_classes_allow_it() {
         "ring-consensus",
         "ring-pulls",
         "coverage-buffered",
-        "coverage-heard-in-turn",
-        "coverage-joining",
     ] {
         let file = format!("scenarios/own/{name}.toml");
         let (code, out, err) = run(&["prove", "--protocol", &file, "--out", dir]);

@@ -405,7 +405,7 @@ mod tests {
             (format!("{start}weight = 1\n[parameters]\neps = 2"), "given as weight too"),
             (format!("{start}weight = 1\nmin = 0"), "min: not a field"),
             ("weight = 1\nspread_to = 4\nmax = 1".to_owned(), "not a field"),
-            ("weight = 1".to_owned(), "start (x0,x1,...) is missing"),
+            ("weight = 1".to_owned(), "start (x0,x1 and so on) is missing"),
             ("start = [0, 1]\nweight = 1".to_owned(), "agents: `2`: expected 3 to"),
             (format!("{start}drones = 4\nweight = 1"), "3 numbers given: expected 1 for each"),
         ] {

@@ -46,7 +46,7 @@ fn the_authors_run_keeps_its_ten_metres() {
             )
         };
         let (gap, costs) = (number(&page["gap"]), number(&page["wind"]["costs"]));
-        assert!(code == 0 && costs > 2.0 && costs < 2.3 && gap > 4.0, "{flags:?}: {gap} {costs}");
+        assert!(code == 0 && costs > 2.0 && costs < 2.4 && gap > 4.0, "{flags:?}: {gap} {costs}");
     }
 }
 

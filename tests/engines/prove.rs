@@ -298,7 +298,7 @@ fn what_a_certificate_states_says_which_claim_it_is() {
         assert_eq!(found, is_named.then_some(name));
         known += u32::from(found.is_some());
     }
-    assert_eq!(known, 49);
+    assert_eq!(known, 47);
 }
 
 #[test]

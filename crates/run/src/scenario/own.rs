@@ -406,8 +406,14 @@ mod tests {
             (format!("{start}weight = 1\nmin = 0"), "min: not a field"),
             ("weight = 1\nspread_to = 4\nmax = 1".to_owned(), "not a field"),
             ("weight = 1".to_owned(), "start (x0,x1 and so on) is missing"),
-            ("start = [0, 1]\nweight = 1".to_owned(), "agents: `2`: expected 3 to"),
-            (format!("{start}drones = 4\nweight = 1"), "3 numbers given: expected 1 for each"),
+            (
+                "start = [0, 1]\nweight = 1".to_owned(),
+                "2 numbers given: expected 1 for each of 3 agents",
+            ),
+            (
+                format!("{start}drones = 4\nweight = 1"),
+                "3 numbers given: expected 1 for each of 4 agents",
+            ),
         ] {
             assert!(said(&rest).contains(wanted), "{rest}: {}", said(&rest));
         }

@@ -4,7 +4,8 @@
 #
 # Peers: Python 3 (also runs the comparison), FLINT and GMP (Debian: libflint-dev, libgmp-dev),
 # SBCL. Set PEERS_LIMIT for another time limit of a run than 60 s, GMP=no to leave out the
-# feature `gmp` (which builds GMP from source). Arguments name tables: exact, processes, co-simulation.
+# feature `gmp` (which builds GMP from source). Arguments name tables: exact, processes,
+# co-simulation, sweeps; what the others need is not built.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
@@ -16,24 +17,40 @@ mkdir -p "$build"
 
 say() { echo "$*" >&2; }
 
-if [ "${GMP:-yes}" = yes ] && command -v m4 >/dev/null; then
-    cargo build --quiet --release --features gmp --example at
-    cp "$target/release/examples/at" "$build/at-gmp"
-else
-    say "without GMP as a backend: needs m4, and GMP=no not set"
+wanted() { # a table, the arguments
+    table=$1
+    shift
+    [ $# -eq 0 ] && return 0
+    for name; do [ "$name" = "$table" ] && return 0; done
+    return 1
+}
+
+if wanted exact "$@" || wanted processes "$@"; then
+    if [ "${GMP:-yes}" = yes ] && command -v m4 >/dev/null; then
+        cargo build --quiet --release --features gmp --example at
+        cp "$target/release/examples/at" "$build/at-gmp"
+    else
+        say "without GMP as a backend: needs m4, and GMP=no not set"
+    fi
+    cargo build --quiet --release --example at
+    cp "$target/release/examples/at" "$build/"
 fi
-cargo build --quiet --release --bin cordon --example at
-cp "$target/release/cordon" "$target/release/examples/at" "$build/"
+cargo build --quiet --release --bin cordon
+cp "$target/release/cordon" "$build/"
 
 compile() { # name, libraries, source, flags
     if cc -O3 ${4:-} -o "$build/$1" "$here/${3:-$1}.c" $2 2>"$build/$1.log"; then :; else
         say "without $1: its libraries are not installed ($build/$1.log)"
     fi
 }
-compile flint "-lflint -lgmp -lm"
-compile multiply "-lgmp"
-compile swarm "-lm"
-compile sweep ""
-compile sweep-avx2 "" sweep -march=x86-64-v3
-command -v sbcl >/dev/null || say "without SBCL: not installed"
+if wanted exact "$@" || wanted processes "$@"; then
+    compile flint "-lflint -lgmp -lm"
+    compile multiply "-lgmp"
+    command -v sbcl >/dev/null || say "without SBCL: not installed"
+fi
+if wanted co-simulation "$@"; then compile swarm "-lm"; fi
+if wanted sweeps "$@"; then
+    compile sweep ""
+    compile sweep-avx2 "" sweep -march=x86-64-v3
+fi
 exec python3 "$here/run.py" "$build" "$@"

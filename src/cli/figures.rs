@@ -11,7 +11,7 @@ use cordon_paper::figures::{FIGURES, Format, drawable};
 /// Arguments of `cordon figures`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Only these numbers, separated by commas [default: 8,9,10,11,12,15,16]
+    /// Only these numbers, separated by commas [default: all, 8 to 16]
     #[arg(value_name = "NUMBERS", value_delimiter = ',')]
     numbers: Vec<u32>,
     /// Folder of the figures; it is made where there is none

@@ -220,7 +220,7 @@ fn what_leaves_the_scale_is_said() {
     assert_eq!(run(&args).0, 0);
     let dom = open(browser, &page, "t=24", &["--dump-dom"]);
     let status = text_of(&dom, "status");
-    let expected = "; beyond the picture, left: drones 2; beyond the picture, right: drones 1, 3";
+    let expected = "; beyond the picture, left: drone 2; beyond the picture, right: drones 1, 3";
     assert!(status.ends_with(expected), "{status}");
     let cut = "Cut at the edge of the picture: the gaps 0–1, 1–2, 2–3, 3–4.";
     assert_eq!(text_of(&dom, "cut"), cut);

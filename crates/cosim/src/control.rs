@@ -65,7 +65,7 @@ pub struct Control {
 
 /// The constants of the control law, computed once.
 #[derive(Clone, Copy, Debug, Default)]
-struct Law {
+pub(super) struct Law {
     position: f64,
     attitude: f64,
     /// C_z, C_phi, C_theta, C_psi.
@@ -80,7 +80,7 @@ struct Law {
 }
 
 impl Law {
-    fn new(body: &Body, gains: Gains) -> Self {
+    pub(super) fn new(body: &Body, gains: Gains) -> Self {
         let [ixx, iyy, izz] = body.inertia;
         let hover = body.hover();
         Self {
@@ -110,7 +110,7 @@ impl Law {
     }
 
     /// Rotor values. The order of operations is that of the recorded runs.
-    fn rotors(&self, wanted: [f64; 3], state: [f64; 12]) -> [f64; 4] {
+    pub(super) fn rotors(&self, wanted: [f64; 3], state: [f64; 12]) -> [f64; 4] {
         let [x_d, y_d, z_d] = wanted;
         let [x, y, z, vx, vy, vz, phi, theta, psi, vphi, vtheta, vpsi] = state;
         let (lp, la) = (self.position, self.attitude);

@@ -28,6 +28,8 @@ pub mod exact_run;
 pub mod exact_units;
 #[cfg(feature = "swarm")]
 mod faults;
+#[cfg(feature = "swarm")]
+mod fleet;
 #[cfg(feature = "package")]
 pub mod interchange;
 #[cfg(feature = "swarm")]

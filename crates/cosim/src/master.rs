@@ -325,7 +325,8 @@ impl Master {
                         carry_live(&mut self.cells, unit, place, &self.grid, step)?;
                     }
                     if let Some(cell) = self.cells.get_mut(unit) {
-                        cell.step(&self.grid, step)?;
+                        cell.begin(&self.grid, step)?;
+                        cell.end(&self.grid, step)?;
                     }
                 }
                 Ok(())
@@ -342,15 +343,22 @@ impl Master {
             true => self.cells.iter().map(|c| c.is_down(step)).collect(),
             false => Vec::new(),
         };
-        let advance = |cell: &mut Cell| {
+        let begin = |cell: &mut Cell| {
             cell.receive(sent, fresh, &down, step)?;
             cell.receive_doubles(doubles)?;
-            cell.step(grid, step)
+            cell.begin(grid, step)
         };
+        let end = |cell: &mut Cell| cell.end(grid, step);
         let many = self.cells.len() >= PARALLEL_FROM;
         match many {
-            false => self.cells.iter_mut().try_for_each(advance)?,
-            true => first_error(self.cells.par_iter_mut().with_min_len(64).map(advance))?,
+            false => {
+                self.cells.iter_mut().try_for_each(begin)?;
+                self.cells.iter_mut().try_for_each(end)?;
+            }
+            true => {
+                first_error(self.cells.par_iter_mut().with_min_len(64).map(begin))?;
+                first_error(self.cells.par_iter_mut().with_min_len(64).map(end))?;
+            }
         }
         // Where units drop out, an input may not have what its source last sent.
         let always = self.outages;
@@ -392,7 +400,11 @@ impl Cell {
         self.outages.iter().any(|steps| steps.contains(&step))
     }
 
-    fn step(&mut self, grid: &Grid, step: u64) -> Result<(), UnitError> {
+    fn begin(&mut self, grid: &Grid, step: u64) -> Result<(), UnitError> {
+        if self.is_down(step) { Ok(()) } else { self.unit.begin_step(grid, step) }
+    }
+
+    fn end(&mut self, grid: &Grid, step: u64) -> Result<(), UnitError> {
         if self.is_down(step) { Ok(()) } else { self.unit.do_step(grid, step) }
     }
 

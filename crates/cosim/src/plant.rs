@@ -65,7 +65,7 @@ pub mod var {
 }
 
 /// The twelve numbers of a rigid body's motion.
-const STATE: usize = 12;
+pub(super) const STATE: usize = 12;
 
 /// The plant of one drone.
 #[derive(Clone, Debug)]
@@ -77,12 +77,13 @@ pub struct Plant {
     start: [f64; 3],
     integrator: Integrator,
     body: Body,
-    motion: Motion,
+    dynamics: Dynamics,
 }
 
-/// What follows from the body and the step, computed once.
-#[derive(Clone, Copy, Debug, Default)]
-struct Motion {
+/// A body, and what follows from it, computed once.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Dynamics {
+    body: Body,
     hover: f64,
     lift: f64,
     sin_yaw: f64,
@@ -100,7 +101,7 @@ impl Plant {
             start,
             integrator,
             body,
-            motion: Motion::default(),
+            dynamics: Dynamics::of(&body),
         };
         plant.reset();
         plant
@@ -117,20 +118,41 @@ impl Plant {
     fn reset(&mut self) {
         let [x, y, z] = self.start;
         self.state = [x, y, z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-        self.motion = Motion {
-            hover: self.body.hover(),
-            lift: self.body.lift(),
-            sin_yaw: self.body.yaw.sin(),
-            cos_yaw: self.body.yaw.cos(),
-        };
+        self.dynamics = Dynamics::of(&self.body);
+    }
+}
+
+impl Dynamics {
+    /// Of a body.
+    pub(super) fn of(body: &Body) -> Self {
+        Self {
+            body: *body,
+            hover: body.hover(),
+            lift: body.lift(),
+            sin_yaw: body.yaw.sin(),
+            cos_yaw: body.yaw.cos(),
+        }
+    }
+
+    /// The state after `t` seconds, in which the rotors stay as they are.
+    pub(super) fn after(
+        &self,
+        t: f64,
+        integrator: Integrator,
+        state: [f64; STATE],
+        rotors: [f64; 4],
+    ) -> [f64; STATE] {
+        match integrator {
+            Integrator::Euler => self.euler(t, state, rotors),
+            Integrator::Exact => self.exact(t, state, rotors),
+        }
     }
 
     /// phi'', theta'', psi'' and z'' from the rotors, in the order of operations of the
     /// recorded runs.
-    fn accelerations(&self) -> ([f64; 3], f64) {
-        let Body { arm, torque, inertia: [ixx, iyy, izz], .. } = self.body;
-        let Motion { hover, lift, .. } = self.motion;
-        let [w1, w2, w3, w4] = self.rotors;
+    fn accelerations(&self, [w1, w2, w3, w4]: [f64; 4]) -> ([f64; 3], f64) {
+        let Self { body, hover, lift, .. } = self;
+        let Body { arm, torque, inertia: [ixx, iyy, izz], .. } = body;
         let roll = arm * (hover * ((w2 - w4) / ixx));
         let pitch = arm * (hover * ((w3 - w1) / iyy));
         let yaw = torque * (hover * ((w1 + w3 - w2 - w4) / izz));
@@ -139,27 +161,26 @@ impl Plant {
 
     /// x'' and y'' that an attitude gives.
     fn horizontal(&self, phi: f64, theta: f64) -> [f64; 2] {
-        let Motion { sin_yaw, cos_yaw, .. } = self.motion;
+        let Self { sin_yaw, cos_yaw, .. } = self;
         let g = self.body.gravity;
         [g * (sin_yaw * phi + cos_yaw * theta), g * (sin_yaw * theta - cos_yaw * phi)]
     }
 
-    fn euler(&mut self, tau: f64) {
-        let (turning, climb) = self.accelerations();
-        let [x, y, z, vx, vy, vz, phi, theta, psi, vphi, vtheta, vpsi] = self.state;
+    fn euler(&self, t: f64, state: [f64; STATE], rotors: [f64; 4]) -> [f64; STATE] {
+        let ([aphi, atheta, apsi], climb) = self.accelerations(rotors);
+        let [.., vx, vy, vz, phi, theta, _, vphi, vtheta, vpsi] = state;
         let [ax, ay] = self.horizontal(phi, theta);
-        let [aphi, atheta, apsi] = turning;
         let rates = [vx, vy, vz, ax, ay, climb, vphi, vtheta, vpsi, aphi, atheta, apsi];
-        let old = [x, y, z, vx, vy, vz, phi, theta, psi, vphi, vtheta, vpsi];
-        for ((new, x), rate) in self.state.iter_mut().zip(old).zip(rates) {
-            *new = x + rate * tau;
+        let mut next = state;
+        for (x, rate) in next.iter_mut().zip(rates) {
+            *x += rate * t;
         }
+        next
     }
 
-    fn exact(&mut self, t: f64) {
-        let (turning, climb) = self.accelerations();
-        let [x, y, z, vx, vy, vz, phi, theta, psi, vphi, vtheta, vpsi] = self.state;
-        let [aphi, atheta, apsi] = turning;
+    fn exact(&self, t: f64, state: [f64; STATE], rotors: [f64; 4]) -> [f64; STATE] {
+        let ([aphi, atheta, apsi], climb) = self.accelerations(rotors);
+        let [x, y, z, vx, vy, vz, phi, theta, psi, vphi, vtheta, vpsi] = state;
         // x'' is a polynomial a0 + a1 t + a2 t^2/2 within the step.
         let a0 = self.horizontal(phi, theta);
         let a1 = self.horizontal(vphi, vtheta);
@@ -168,7 +189,7 @@ impl Plant {
         let place = |x: f64, v: f64, i: usize| x + v * t + a0[i] * t2 + a1[i] * t3 + a2[i] * t4;
         let speed = |v: f64, i: usize| v + a0[i] * t + a1[i] * t2 + a2[i] * t3;
         let turned = |angle: f64, v: f64, a: f64| angle + v * t + a * t2;
-        self.state = [
+        [
             place(x, vx, 0),
             place(y, vy, 1),
             z + vz * t + climb * t2,
@@ -181,7 +202,7 @@ impl Plant {
             vphi + aphi * t,
             vtheta + atheta * t,
             vpsi + apsi * t,
-        ];
+        ]
     }
 }
 
@@ -261,11 +282,8 @@ impl Unit for Plant {
     }
 
     fn do_step(&mut self, grid: &Grid, _: u64) -> Result<(), UnitError> {
-        let tau = grid.tau_f64();
-        match self.integrator {
-            Integrator::Euler => self.euler(tau),
-            Integrator::Exact => self.exact(tau),
-        }
+        let (t, integrator) = (grid.tau_f64(), self.integrator);
+        self.state = self.dynamics.after(t, integrator, self.state, self.rotors);
         Ok(())
     }
 }

@@ -5,7 +5,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use cordon_spec::Scalar;
-use num_bigint::{BigInt, BigUint, Sign};
+use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
 use num_traits::One;
 
@@ -45,8 +45,7 @@ impl Quotient {
 
     /// The nearest double, ties to even.
     pub fn to_f64(&self) -> f64 {
-        by_first_bits(&self.0.num, &self.0.den)
-            .unwrap_or_else(|| exact::quotient_to_f64(&self.0.num, &self.den()))
+        exact::nearest_f64(&self.0.num, &self.0.den)
     }
 
     /// `double(numerator)/double(denominator)` of the fraction in lowest terms: three
@@ -187,37 +186,6 @@ fn product_of_denominators(a: &Arc<BigUint>, b: &Arc<BigUint>) -> Arc<BigUint> {
     })
 }
 
-/// The nearest double of num/den, where the first 64 bits of both decide it.
-fn by_first_bits(num: &BigInt, den: &BigUint) -> Option<f64> {
-    let (n, below_n) = first_bits(num.magnitude())?;
-    let (d, below_d) = first_bits(den)?;
-    if n == u64::MAX {
-        return None;
-    }
-    // Between these, over 2^64, is the quotient of all that begins with these bits.
-    let least = (u128::from(n) << 64) / (u128::from(d) + 1);
-    let most = (u128::from(n + 1) << 64) / u128::from(d) + 1;
-    let exponent = below_n - below_d - 64;
-    // Far from the ends of the range of doubles a power of two changes the exponent alone.
-    if least as f64 != most as f64 || !(-900..900).contains(&exponent) {
-        return None;
-    }
-    let size = least as f64 * 2.0_f64.powi(exponent as i32);
-    Some(if num.sign() == Sign::Minus { -size } else { size })
-}
-
-/// The first 64 bits of a number, the first of them 1, and how many more there are; fewer than none
-/// where zeros were added. `None` of zero.
-fn first_bits(x: &BigUint) -> Option<(u64, i64)> {
-    let mut digits = x.iter_u64_digits();
-    let more = 64 * (digits.len() as i64 - 1);
-    let first = digits.next_back()?;
-    let shift = first.leading_zeros();
-    let next = digits.next_back().unwrap_or_default();
-    let rest = next.checked_shr(u64::BITS - shift).unwrap_or_default();
-    Some((first << shift | rest, more - i64::from(shift)))
-}
-
 ring_operators!(
     Quotient,
     |a: Quotient, b: &Quotient| combined(&a, b, |x, y| x + y),
@@ -254,39 +222,5 @@ mod tests {
             assert_eq!(Quotient::simplest_of(x).unwrap().to_f64(), x);
         }
         assert_eq!(Quotient::simplest_of(f64::NAN), None);
-    }
-
-    /// The first bits decide all but a few, and decide as the whole numbers do.
-    #[test]
-    fn first_bits_round_as_all_bits_do() {
-        let (mut decided, mut asked) = (0, 0);
-        let mut state = 1_u64;
-        let mut random = |bits: u64| {
-            let mut x = BigUint::one();
-            while x.bits() < bits {
-                state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-                x = (x << 32u8) + (state >> 32);
-            }
-            x
-        };
-        for bits in (1..1400).step_by(7) {
-            for other in [1, 53, 54, 64, 65, 700, 1300] {
-                let (num, den) = (BigInt::from(random(bits)), random(other));
-                let expected = exact::quotient_to_f64(&num, &den.clone().into());
-                asked += 1;
-                if let Some(x) = by_first_bits(&num, &den) {
-                    assert_eq!(x.to_bits(), expected.to_bits(), "{num}/{den}");
-                    assert_eq!(by_first_bits(&-num, &den), Some(-x));
-                    decided += 1;
-                }
-            }
-        }
-        assert!(asked == 1400 && decided > 1000, "{decided} of {asked}");
-        // Halfway between two doubles, and a hair beside it: the first bits alone cannot tell.
-        let half = (BigInt::one() << 400u32) * ((BigInt::one() << 53u8) + 1u8);
-        for beside in [-1, 0, 1] {
-            assert_eq!(by_first_bits(&(&half + beside), &(BigUint::one() << 420u32)), None);
-        }
-        assert_eq!(by_first_bits(&BigInt::default(), &BigUint::one()), None);
     }
 }

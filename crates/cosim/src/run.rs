@@ -3,10 +3,11 @@
 use super::collision::{Sample, Watch};
 use super::coordination::Slot;
 use super::cosimulation::Cosimulation;
+use super::fleet::Fleet;
 use super::master::Master;
 use super::physics::Body;
-use super::plant::{Integrator, var};
-use super::record::{Axis, Height, Record, Track};
+use super::plant::{Integrator, STATE, var};
+use super::record::{Axis, Height, Record, Series, Track};
 use super::seat::Seat;
 use super::selection;
 use cordon_core::{Error, Result, exact, progress};
@@ -30,62 +31,48 @@ pub fn run(swarm: &Cosimulation) -> Result<Record> {
 /// The swarm cannot be wired, fails in its first step, or the record would be too
 /// large.
 pub fn run_as_far_as_it_goes(swarm: &Cosimulation) -> Result<(Record, Result<()>)> {
-    let count = swarm.count();
-    let wiring = swarm.wiring()?;
-    let (selected, mut series) = selection::select(&swarm.recorded_variables, wiring.units())?;
-    let rows = u128::from(swarm.grid.steps()) + 1;
-    let a_row = count * swarm.axes().len() * 2 + series.len();
-    if rows * a_row as u128 > MAX_NUMBERS {
-        return Err(Error::input(format!(
-            "duration: {count} drones at {rows} grid points: expected at most {MAX_NUMBERS} \
-             positions and other values"
-        )));
+    match Fleet::of(swarm) {
+        Some(fleet) => match together(swarm, fleet)? {
+            Some(record) => Ok((record, Ok(()))),
+            None => by_units(swarm),
+        },
+        None => by_units(swarm),
     }
+}
+
+/// The run in one loop over all drones; `None` where it does not end well.
+fn together(swarm: &Cosimulation, mut fleet: Fleet<'_>) -> Result<Option<Record>> {
+    let mut keeper = Keeper::new(swarm, Vec::new())?;
+    for step in 0..=swarm.grid.steps() {
+        if step > 0 && fleet.advance_to(step).is_none() {
+            return Ok(None);
+        }
+        keeper.row.take(&fleet);
+        keeper.keep(swarm, step, &[]);
+    }
+    Ok(Some(keeper.finish()))
+}
+
+/// The run by units under a master.
+pub(super) fn by_units(swarm: &Cosimulation) -> Result<(Record, Result<()>)> {
+    let wiring = swarm.wiring()?;
+    let (selected, series) = selection::select(&swarm.recorded_variables, wiring.units())?;
+    let mut others = vec![0.0; series.len()];
+    let mut keeper = Keeper::new(swarm, series)?;
+    let desired = places(swarm)?;
     let mut master = Master::new(wiring, swarm.grid.clone(), swarm.algorithm)?;
-    progress::expect(swarm.grid.steps() + 1);
-    // The limit above is far below what a usize holds.
-    let rows = usize::try_from(rows).unwrap_or_default();
-    let numbers = || Vec::with_capacity(rows * count);
-    let track = || Track { desired: numbers(), actual: numbers() };
-    series.iter_mut().for_each(|s| s.values.reserve_exact(rows));
-    let mut record = Record {
-        title: swarm.scenario.title.clone(),
-        count,
-        times: Vec::with_capacity(rows),
-        x: track(),
-        y: swarm.across.as_ref().map(|_| track()),
-        height: Some(Height { desired: exact::to_f64(&swarm.z_d), actual: numbers() }),
-        series,
-        events: None,
-        setup: Some(swarm.setup()),
-        notes: Vec::new(),
-        broken_off: None,
-    };
-    let mut row = Row::new(swarm)?;
-    let mut watch = swarm.watch();
-    let mut others = vec![0.0; record.series.len()];
-    let mut accumulated = 0.0;
     let ended = master.run(|master, step| {
-        row.read(master, step)?;
+        keeper.row.read(&desired, master, step)?;
         let mut rest = others.as_mut_slice();
         for unit in &selected {
             let values;
             (values, rest) = rest.split_at_mut(unit.variables.len());
             master.numbers(unit.unit, &unit.variables, values, step)?;
         }
-        // Whole rows only.
-        let last = record.times.last().copied().unwrap_or_default();
-        row.keep(&mut record);
-        record.series.iter_mut().zip(&others).for_each(|(s, x)| s.values.push(*x));
-        // The recorded runs added up their time in doubles.
-        let time = if swarm.recorded { accumulated } else { master.grid().time_f64(step) };
-        accumulated += master.grid().tau_f64();
-        record.times.push(time);
-        watch.next(last, &row.samples);
-        progress::advance(1);
+        keeper.keep(swarm, step, &others);
         Ok(())
     });
-    record.events = Some(watch.finish());
+    let mut record = keeper.finish();
     record.notes = master.notes();
     match ended {
         // A run file has two grid points at least.
@@ -95,6 +82,67 @@ pub fn run_as_far_as_it_goes(swarm: &Cosimulation) -> Result<(Record, Result<()>
             Ok((record, Err(e)))
         }
         Ok(()) => Ok((record, Ok(()))),
+    }
+}
+
+/// What is kept of a run, row by row.
+struct Keeper {
+    record: Record,
+    row: Row,
+    watch: Watch,
+    /// The time as the recorded runs had it, added up in doubles.
+    accumulated: f64,
+}
+
+impl Keeper {
+    fn new(swarm: &Cosimulation, mut series: Vec<Series>) -> Result<Self> {
+        let count = swarm.count();
+        let rows = u128::from(swarm.grid.steps()) + 1;
+        let a_row = count * swarm.axes().len() * 2 + series.len();
+        if rows * a_row as u128 > MAX_NUMBERS {
+            return Err(Error::input(format!(
+                "duration: {count} drones at {rows} grid points: expected at most {MAX_NUMBERS} \
+                 positions and other values"
+            )));
+        }
+        progress::expect(swarm.grid.steps() + 1);
+        // The limit above is far below what a usize holds.
+        let rows = usize::try_from(rows).unwrap_or_default();
+        let numbers = || Vec::with_capacity(rows * count);
+        let track = || Track { desired: numbers(), actual: numbers() };
+        series.iter_mut().for_each(|s| s.values.reserve_exact(rows));
+        let record = Record {
+            title: swarm.scenario.title.clone(),
+            count,
+            times: Vec::with_capacity(rows),
+            x: track(),
+            y: swarm.across.as_ref().map(|_| track()),
+            height: Some(Height { desired: exact::to_f64(&swarm.z_d), actual: numbers() }),
+            series,
+            events: None,
+            setup: Some(swarm.setup()),
+            notes: Vec::new(),
+            broken_off: None,
+        };
+        Ok(Self { record, row: Row::new(swarm), watch: swarm.watch(), accumulated: 0.0 })
+    }
+
+    /// Keeps the row, and the values of the series, of a grid point.
+    fn keep(&mut self, swarm: &Cosimulation, step: u64, others: &[f64]) {
+        let record = &mut self.record;
+        let last = record.times.last().copied().unwrap_or_default();
+        self.row.keep(record);
+        record.series.iter_mut().zip(others).for_each(|(s, x)| s.values.push(*x));
+        let time = if swarm.recorded { self.accumulated } else { swarm.grid.time_f64(step) };
+        self.accumulated += swarm.grid.tau_f64();
+        record.times.push(time);
+        self.watch.next(last, &self.row.samples);
+        progress::advance(1);
+    }
+
+    fn finish(mut self) -> Record {
+        self.record.events = Some(self.watch.finish());
+        self.record
     }
 }
 
@@ -109,86 +157,95 @@ impl Cosimulation {
     }
 }
 
-/// What is read at a grid point.
+/// Of each drone the place of the desired positions, axis by axis, in its coordination unit.
+fn places(swarm: &Cosimulation) -> Result<Vec<Vec<usize>>> {
+    let slot = |axis: &Axis| match axis {
+        Axis::X => Slot::Desired,
+        Axis::Y => Slot::DesiredAcross,
+    };
+    let of = |i| {
+        let unit = swarm.coordination(i);
+        let place = |axis| {
+            unit.place(slot(axis)).ok_or_else(|| Error::internal("expected a desired position"))
+        };
+        swarm.axes().iter().map(place).collect::<Result<_>>()
+    };
+    (0..swarm.count()).map(of).collect()
+}
+
+/// What is kept of all drones at a grid point.
 struct Row {
     axes: &'static [Axis],
-    /// Of each drone the place of the desired positions, axis by axis, in its coordination unit.
-    desired: Vec<Vec<usize>>,
-    /// What is read of every plant: axis by axis the place and, unless it moves on straight lines,
-    /// speed, attitude and turning; then the height.
-    plant: Vec<usize>,
+    /// Whether the drones move on straight lines from one grid point to the next: of those nothing but
+    /// the position is looked at.
+    straight: bool,
+    /// Along each axis where drones are told to be.
     wanted: Vec<Vec<f64>>,
     samples: Vec<Vec<Sample>>,
     heights: Vec<f64>,
 }
 
 impl Row {
-    fn new(swarm: &Cosimulation) -> Result<Self> {
+    fn new(swarm: &Cosimulation) -> Self {
         let (axes, count) = (swarm.axes(), swarm.count());
-        let slot = |axis: &Axis| match axis {
-            Axis::X => Slot::Desired,
-            Axis::Y => Slot::DesiredAcross,
-        };
-        let desired = (0..count).map(|i| {
-            let unit = swarm.coordination(i);
-            let place = |axis| {
-                unit.place(slot(axis)).ok_or_else(|| Error::internal("expected a desired position"))
-            };
-            axes.iter().map(place).collect::<Result<_>>()
-        });
-        let mut plant = Vec::new();
-        for axis in axes {
-            plant.push(var::X + axis.place());
-            if swarm.integrator == Integrator::Exact {
-                let (attitude, turning) = match axis {
-                    Axis::X => (var::THETA, var::VTHETA),
-                    Axis::Y => (var::PHI, var::VPHI),
-                };
-                plant.extend([var::VX + axis.place(), attitude, turning]);
-            }
-        }
-        plant.push(var::Z);
-        Ok(Self {
+        Self {
             axes,
-            desired: desired.collect::<Result<_>>()?,
-            plant,
+            straight: swarm.integrator == Integrator::Euler,
             wanted: vec![vec![0.0; count]; axes.len()],
             samples: vec![vec![Sample::default(); count]; axes.len()],
             heights: vec![0.0; count],
-        })
+        }
     }
 
-    fn read(&mut self, master: &Master, step: u64) -> Result<()> {
-        let gravity = Body::default().gravity;
+    /// Reads the units.
+    fn read(&mut self, desired: &[Vec<usize>], master: &Master, step: u64) -> Result<()> {
+        // Of straight lines the positions are all.
+        let known = if self.straight { var::VX } else { var::X + STATE };
+        let state: Vec<usize> = (var::X..known).collect();
         let mut wanted = vec![0.0; self.axes.len()];
-        let mut read = vec![0.0; self.plant.len()];
-        let members = (read.len() - 1) / self.axes.len().max(1);
-        for (i, (places, height)) in self.desired.iter().zip(&mut self.heights).enumerate() {
+        let mut read = [0.0; STATE];
+        for (i, places) in desired.iter().enumerate() {
             master.numbers(Seat::coordination(i).place(), places, &mut wanted, step)?;
-            master.numbers(Seat::plant(i).place(), &self.plant, &mut read, step)?;
-            *height = read.last().copied().unwrap_or_default();
-            let axes = self.axes.iter().zip(read.chunks(members)).zip(&wanted);
-            let kept = self.samples.iter_mut().zip(&mut self.wanted);
-            for (((axis, read), x_d), (samples, wanted)) in axes.zip(kept) {
-                // A roll to the right, phi > 0, is a push towards -y.
-                let push = match axis {
-                    Axis::X => gravity,
-                    Axis::Y => -gravity,
-                };
-                let sample = match *read {
-                    [x, v, angle, turning] => {
-                        Sample { x, v, a: push * angle, jerk: push * turning }
-                    }
-                    // Euler's motion is a straight line between the positions.
-                    [x, ..] => Sample { x, ..Sample::default() },
-                    [] => Sample::default(),
-                };
-                if let (Some(kept), Some(d)) = (samples.get_mut(i), wanted.get_mut(i)) {
-                    (*kept, *d) = (sample, *x_d);
+            master.numbers(Seat::plant(i).place(), &state, &mut read, step)?;
+            for (kept, x_d) in self.wanted.iter_mut().zip(&wanted) {
+                if let Some(kept) = kept.get_mut(i) {
+                    *kept = *x_d;
                 }
             }
+            self.note(i, &read);
         }
         Ok(())
+    }
+
+    /// Takes what all drones have in one place.
+    fn take(&mut self, fleet: &Fleet<'_>) {
+        for (kept, desired) in self.wanted.iter_mut().zip(&fleet.desired) {
+            kept.copy_from_slice(desired);
+        }
+        fleet.states.iter().enumerate().for_each(|(i, state)| self.note(i, state));
+    }
+
+    /// Notes the motion of a drone.
+    fn note(&mut self, drone: usize, state: &[f64; STATE]) {
+        let [x, y, z, vx, vy, _, phi, theta, _, vphi, vtheta, _] = *state;
+        let gravity = Body::default().gravity;
+        for (axis, samples) in self.axes.iter().zip(&mut self.samples) {
+            // A roll to the right, phi > 0, is a push towards -y.
+            let (x, v, push, angle, turning) = match axis {
+                Axis::X => (x, vx, gravity, theta, vtheta),
+                Axis::Y => (y, vy, -gravity, phi, vphi),
+            };
+            let sample = match self.straight {
+                true => Sample { x, ..Sample::default() },
+                false => Sample { x, v, a: push * angle, jerk: push * turning },
+            };
+            if let Some(kept) = samples.get_mut(drone) {
+                *kept = sample;
+            }
+        }
+        if let Some(height) = self.heights.get_mut(drone) {
+            *height = z;
+        }
     }
 
     fn keep(&self, record: &mut Record) {

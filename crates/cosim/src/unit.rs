@@ -61,6 +61,15 @@ pub trait Unit: Send {
     /// does not divide).
     fn initialise(&mut self, grid: &Grid) -> Result<(), UnitError>;
 
+    /// Called with the inputs of the step that [`do_step`](Unit::do_step) is about to end; where units
+    /// step at once, for all of them first: what computes in another process begins.
+    ///
+    /// # Errors
+    /// The unit cannot begin the step.
+    fn begin_step(&mut self, _grid: &Grid, _step: u64) -> Result<(), UnitError> {
+        Ok(())
+    }
+
     /// Advances by the communication step that begins at grid point `step`, with the inputs
     /// as they are.
     ///

@@ -1,4 +1,4 @@
-//! The child process's side: one instance, which does what it is told over a stream.
+//! The child process's side: one instance, which does what it is told.
 
 use std::io::{BufReader, Read, Write};
 use std::path::{Path, PathBuf};
@@ -11,14 +11,14 @@ use crate::message::{self, Order, Reply};
 /// Carries out orders until the last one, or until nobody sends any more.
 ///
 /// # Errors
-/// The stream cannot be written.
-pub fn serve(stream: impl Read + Write + Copy) -> std::io::Result<()> {
+/// The answers cannot be written.
+pub fn serve(orders: impl Read, mut answers: impl Write) -> std::io::Result<()> {
     // A message a call of the system: the length and what follows come together.
-    let (mut reader, mut writer) = (BufReader::new(stream), stream);
+    let mut orders = BufReader::new(orders);
     let mut instance: Option<Instance> = None;
     let mut folder: Option<PathBuf> = None;
     loop {
-        let Ok(order) = message::read(&mut reader) else {
+        let Ok(order) = message::read(&mut orders) else {
             // The parent process has died: nobody else removes the unpacked archive.
             drop(instance);
             if let Some(folder) = folder {
@@ -44,15 +44,13 @@ pub fn serve(stream: impl Read + Write + Copy) -> std::io::Result<()> {
             (Order::Finish, _) => {
                 drop(instance.take());
                 return message::write(
-                    &mut writer,
+                    &mut answers,
                     &Reply { result: Ok(Vec::new()), notes: Vec::new() },
                 );
             }
-            (_, None) => {
-                Reply { result: Err("there is no instance".to_owned()), notes: Vec::new() }
-            }
+            (_, None) => Reply::failed("there is no instance".to_owned()),
         };
-        message::write(&mut writer, &answer)?;
+        message::write(&mut answers, &answer)?;
     }
 }
 

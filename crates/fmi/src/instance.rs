@@ -170,7 +170,7 @@ impl Instance {
             let set_up: c::SetUp2 = unsafe { self.library.function("fmi2SetupExperiment") }?;
             // SAFETY: the instance is alive.
             let status = unsafe { set_up(self.raw, 0, 0.0, 0.0, 1, stop) };
-            self.judge("setting up the experiment", status)?;
+            self.judge(|| "setting up the experiment".to_owned(), status)?;
         }
         for (variable, value) in parameters.iter().chain(&inputs) {
             self.set(std::slice::from_ref(variable), std::slice::from_ref(value))?;
@@ -191,7 +191,7 @@ impl Instance {
                 unsafe { enter(self.raw, false, 0.0, 0.0, true, stop) }
             }
         };
-        self.judge("initialising", status)?;
+        self.judge(|| "initialising".to_owned(), status)?;
         for (variable, value) in parameters.iter().chain(&inputs) {
             self.set(std::slice::from_ref(variable), std::slice::from_ref(value))?;
         }
@@ -217,7 +217,7 @@ impl Instance {
                 // SAFETY: the instance is alive.
                 let status = unsafe { step(self.raw, from, size, 1) };
                 let status = self.awaited(status)?;
-                self.judge("stepping", status)?;
+                self.judge(|| "stepping".to_owned(), status)?;
             }
             Version::V3 => {
                 let (mut event, mut end, mut early, mut last) = (false, false, false, from);
@@ -227,7 +227,7 @@ impl Instance {
                 let status = unsafe {
                     step(self.raw, from, size, true, &mut event, &mut end, &mut early, &mut last)
                 };
-                self.judge("stepping", status)?;
+                self.judge(|| "stepping".to_owned(), status)?;
                 if end || early {
                     return Err(format!("stepping: it stopped at {last} s on its own"));
                 }
@@ -293,16 +293,16 @@ impl Instance {
         let function: c::Plain = unsafe { self.library.function(&format!("{prefix}{function}")) }?;
         // SAFETY: the instance is alive.
         let status = unsafe { function(self.raw) };
-        self.judge(call, status)
+        self.judge(|| call.to_owned(), status)
     }
 
     /// What a status means: all but *OK* and *warning* are failures, and a warning is noted.
-    fn judge(&mut self, call: &str, status: c_int) -> Result<(), String> {
+    fn judge(&mut self, call: impl Fn() -> String, status: c_int) -> Result<(), String> {
         let word = match status {
             OK => return Ok(()),
             WARNING => {
                 let said = self.log.take();
-                self.note(explained(&format!("{call}: warning"), said));
+                self.note(explained(&format!("{}: warning", call()), said));
                 return Ok(());
             }
             2 => "discarded",
@@ -312,7 +312,7 @@ impl Instance {
             _ => "a status that the standard does not have",
         };
         self.phase = if status == FATAL { Phase::Fatal } else { Phase::Failed };
-        Err(explained(&format!("{call}: {word}"), self.log.take()))
+        Err(explained(&format!("{}: {word}", call()), self.log.take()))
     }
 }
 

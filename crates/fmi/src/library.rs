@@ -1,5 +1,8 @@
 //! The shared library of an FMU.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::ffi::c_void;
 use std::path::Path;
 
 use libloading::Library as Loaded;
@@ -8,6 +11,8 @@ use libloading::Library as Loaded;
 /// run on into nothing.
 pub(crate) struct Library {
     loaded: &'static Loaded,
+    /// Addresses of functions by their names: looking one up costs as much as a short call.
+    found: RefCell<BTreeMap<String, *mut c_void>>,
 }
 
 impl Library {
@@ -16,17 +21,28 @@ impl Library {
         // loading an FMU relies on; where it does not, the process ends: see `remote`.
         let loaded = unsafe { Loaded::new(path) };
         let loaded = loaded.map_err(|e| format!("loading `{}`: {e}", path.display()))?;
-        Ok(Self { loaded: Box::leak(Box::new(loaded)) })
+        Ok(Self { loaded: Box::leak(Box::new(loaded)), found: RefCell::default() })
     }
 
     /// A function by name.
     ///
     /// # Safety
-    /// `F` is the function's type, as the standard has it.
+    /// `F` is the function's type, as the standard has it: a pointer.
     pub(crate) unsafe fn function<F: Copy>(&self, name: &str) -> Result<F, String> {
-        // SAFETY: the caller vouches for the type.
-        unsafe { self.loaded.get::<F>(name.as_bytes()) }
-            .map(|symbol| *symbol)
-            .map_err(|_| format!("loading: the binary has no function `{name}`"))
+        let known = self.found.borrow().get(name).copied();
+        let address = match known {
+            Some(address) => address,
+            None => {
+                // SAFETY: an address is asked for, whatever is there.
+                let symbol = unsafe { self.loaded.get::<*mut c_void>(name.as_bytes()) };
+                let found = symbol.ok().map(|symbol| *symbol).filter(|address| !address.is_null());
+                let missing = || format!("loading: the binary has no function `{name}`");
+                let address = found.ok_or_else(missing)?;
+                self.found.borrow_mut().insert(name.to_owned(), address);
+                address
+            }
+        };
+        // SAFETY: the caller vouches for the type, which has the size of an address.
+        Ok(unsafe { std::mem::transmute_copy::<*mut c_void, F>(&address) })
     }
 }

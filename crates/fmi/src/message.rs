@@ -49,13 +49,25 @@ pub struct Reply {
     pub notes: Vec<String>,
 }
 
+impl Reply {
+    /// The reply of an instance that failed, and has nothing else to say.
+    pub fn failed(why: String) -> Self {
+        Self { result: Err(why), notes: Vec::new() }
+    }
+}
+
+/// Room for the messages of a step, in bytes.
+const USUAL: usize = 512;
+
 /// Longest message in bytes: more is no message of ours.
 const LONGEST: u32 = 1 << 26;
 
 /// Writes a message: its length, then its bytes.
 pub(crate) fn write(stream: &mut impl Write, message: &impl Serialize) -> io::Result<()> {
     // Its length goes into the first four bytes, so that there is one write a message.
-    let mut bytes = postcard::to_extend(message, vec![0; 4]).map_err(io::Error::other)?;
+    let mut bytes = Vec::with_capacity(USUAL);
+    bytes.extend([0; 4]);
+    let mut bytes = postcard::to_extend(message, bytes).map_err(io::Error::other)?;
     let length = u32::try_from(bytes.len() - 4).ok().filter(|l| *l <= LONGEST);
     let length = length.ok_or_else(|| io::Error::other("a message that is too long"))?;
     if let Some(head) = bytes.first_chunk_mut::<4>() {

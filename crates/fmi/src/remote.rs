@@ -1,11 +1,14 @@
 //! The parent's side of an instance in a child process.
 
-use std::io::{self, BufReader};
-use std::os::fd::{AsFd, OwnedFd};
-use std::os::unix::net::UnixStream;
+use std::fs::File;
+use std::io::{self, BufReader, PipeReader, PipeWriter, Read};
+use std::os::fd::AsFd;
 use std::os::unix::process::{CommandExt, ExitStatusExt};
-use std::process::{Child, Command, ExitStatus, Stdio};
+use std::process::{Child, Command, ExitStatus};
 use std::time::Duration;
+
+use rustix::event::{PollFd, PollFlags, Timespec, poll};
+use rustix::io::Errno;
 
 use crate::fmu::{Datum, Fmu};
 use crate::message::{self, Beginning, Order, Reply};
@@ -14,12 +17,38 @@ use crate::message::{self, Beginning, Order, Reply};
 const FAREWELL: Duration = Duration::from_secs(5);
 
 /// An instance in a child process. Dropping it terminates the instance and ends the process.
+///
+/// Orders and answers go through two pipes, which cost half of what a socket does, a message each
+/// way a step. A step can be [begun](Remote::begin_step) before its end is waited for, so that the
+/// instances of several processes compute at once.
 pub struct Remote {
     child: Child,
-    /// Reads a message in one call of the system; it is written to as it is.
-    stream: BufReader<UnixStream>,
-    limit: Duration,
+    orders: PipeWriter,
+    answers: BufReader<Patient>,
+    /// Whether an order is not answered yet.
+    asked: bool,
     dead: bool,
+}
+
+/// A pipe that is waited for so long and no longer.
+struct Patient {
+    pipe: PipeReader,
+    limit: Duration,
+}
+
+impl Read for Patient {
+    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+        let limit = Timespec::try_from(self.limit).map_err(io::Error::other)?;
+        loop {
+            let ready = poll(&mut [PollFd::new(&self.pipe, PollFlags::IN)], Some(&limit));
+            match ready {
+                Ok(0) => return Err(io::ErrorKind::TimedOut.into()),
+                Ok(_) => return self.pipe.read(into),
+                Err(Errno::INTR) => {}
+                Err(e) => return Err(e.into()),
+            }
+        }
+    }
 }
 
 impl Remote {
@@ -30,66 +59,85 @@ impl Remote {
     /// The program cannot be started, or the FMU cannot be loaded.
     pub fn load(mut program: Command, fmu: Fmu, limit: Duration) -> Result<Self, String> {
         let failed = |e: io::Error| format!("starting its process: {e}");
-        let (stream, theirs) = UnixStream::pair().map_err(failed)?;
-        stream.set_read_timeout(Some(limit)).map_err(failed)?;
-        // The FMU may print; its process group is its own, so that Ctrl-C reaches this process
-        // only, which takes the other down in order.
-        let child = program
-            .stdin(Stdio::from(OwnedFd::from(theirs)))
-            .stdout(Stdio::from(io::stderr()))
-            .process_group(0)
-            .spawn()
-            .map_err(failed)?;
-        let mut remote = Self { child, stream: BufReader::new(stream), limit, dead: false };
+        let (their_orders, orders) = io::pipe().map_err(failed)?;
+        let (answers, their_answers) = io::pipe().map_err(failed)?;
+        // Its process group is its own, so that Ctrl-C reaches this process only, which takes the
+        // other down in order.
+        let child = program.stdin(their_orders).stdout(their_answers).process_group(0).spawn();
+        let child = child.map_err(failed)?;
+        // The command has the other ends of the pipes; while they are open no death is seen.
+        drop(program);
+        let answers = BufReader::new(Patient { pipe: answers, limit });
+        let mut remote = Self { child, orders, answers, asked: false, dead: false };
         remote.call(&Order::Load(fmu))?.result?;
         Ok(remote)
     }
 
     /// As [`Instance::initialise`](crate::instance::Instance::initialise).
     pub fn initialise(&mut self, beginning: Beginning) -> Reply {
-        self.answered(&Order::Initialise(beginning))
+        self.call(&Order::Initialise(beginning)).unwrap_or_else(Reply::failed)
     }
 
-    /// As [`Instance::step`](crate::instance::Instance::step).
-    pub fn step(&mut self, from: f64, size: f64, inputs: Vec<Datum>) -> Reply {
-        self.answered(&Order::Step { from, size, inputs })
+    /// Begins a step, which goes on while this process does something else.
+    ///
+    /// # Errors
+    /// The process has ended.
+    pub fn begin_step(&mut self, from: f64, size: f64, inputs: Vec<Datum>) -> Result<(), String> {
+        self.ask(&Order::Step { from, size, inputs })
     }
 
-    fn answered(&mut self, order: &Order) -> Reply {
-        let failed = |why| Reply { result: Err(why), notes: Vec::new() };
-        self.call(order).unwrap_or_else(failed)
+    /// Waits for the end of the step that was [begun](Remote::begin_step): what
+    /// [`Instance::step`](crate::instance::Instance::step) answers.
+    pub fn end_step(&mut self) -> Reply {
+        self.answer().unwrap_or_else(Reply::failed)
     }
 
     fn call(&mut self, order: &Order) -> Result<Reply, String> {
+        self.ask(order)?;
+        self.answer()
+    }
+
+    fn ask(&mut self, order: &Order) -> Result<(), String> {
         if self.dead {
             return Err("its process has ended".to_owned());
         }
-        let sent = message::write(self.stream.get_mut(), order);
-        let answer = sent.and_then(|()| message::read(&mut self.stream));
-        answer.map_err(|e| {
-            self.dead = true;
-            let slow = matches!(e.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut);
-            // Where it is slow it has to be ended; else it has ended, and this does nothing.
-            let _ = self.child.kill();
-            let ended = self.child.wait();
-            match (slow, ended) {
-                (true, _) => format!(
-                    "no answer within {} s: its process was ended",
-                    self.limit.as_secs_f64()
-                ),
-                (false, Ok(status)) => died(status),
-                (false, Err(e)) => format!("its process has ended: {e}"),
+        let sent = message::write(&mut self.orders, order);
+        self.asked = sent.is_ok();
+        sent.map_err(|e| self.ended(&e))
+    }
+
+    fn answer(&mut self) -> Result<Reply, String> {
+        if self.dead {
+            return Err("its process has ended".to_owned());
+        }
+        self.asked = false;
+        message::read(&mut self.answers).map_err(|e| self.ended(&e))
+    }
+
+    /// Ends the process, which gives no answer; why, in words.
+    fn ended(&mut self, e: &io::Error) -> String {
+        self.dead = true;
+        // Where it is slow it has to be ended; else it has ended, and this does nothing.
+        let _ = self.child.kill();
+        match (e.kind() == io::ErrorKind::TimedOut, self.child.wait()) {
+            (true, _) => {
+                let limit = self.answers.get_ref().limit.as_secs_f64();
+                format!("no answer within {limit} s: its process was ended")
             }
-        })
+            (false, Ok(status)) => died(status),
+            (false, Err(e)) => format!("its process has ended: {e}"),
+        }
     }
 }
 
 impl Drop for Remote {
     fn drop(&mut self) {
-        if !self.dead && self.stream.get_ref().set_read_timeout(Some(FAREWELL)).is_ok() {
-            // What it says in the end changes nothing.
-            let _ = self.call(&Order::Finish);
+        self.answers.get_mut().limit = FAREWELL;
+        // What it says in the end changes nothing.
+        if self.asked {
+            let _ = self.answer();
         }
+        let _ = self.call(&Order::Finish);
         if !self.dead {
             let _ = self.child.kill();
             let _ = self.child.wait();
@@ -122,10 +170,15 @@ fn signal_name(signal: i32) -> Option<&'static str> {
     })
 }
 
-/// The stream to the parent process, in the child: [`Remote::load`] makes it stdin.
+/// The pipes to the parent process, in the child: stdin and stdout, as [`Remote::load`] made them. The
+/// FMU gets others for these, so that what it reads is empty and what it prints comes to stderr.
 ///
 /// # Errors
-/// Stdin is closed.
-pub fn stream_to_parent() -> io::Result<UnixStream> {
-    Ok(UnixStream::from(io::stdin().as_fd().try_clone_to_owned()?))
+/// Stdin or stdout is closed.
+pub fn pipes_to_parent() -> io::Result<(PipeReader, PipeWriter)> {
+    let orders = io::stdin().as_fd().try_clone_to_owned()?;
+    let answers = io::stdout().as_fd().try_clone_to_owned()?;
+    rustix::stdio::dup2_stdin(File::open("/dev/null")?)?;
+    rustix::stdio::dup2_stdout(io::stderr())?;
+    Ok((orders.into(), answers.into()))
 }

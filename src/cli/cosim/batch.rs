@@ -65,24 +65,27 @@ pub(super) fn run(
     broken.map_or(Ok(Outcome::Holds), Err)
 }
 
-/// What came of a run: collisions, losses of the order, the smallest gap and its time, and how far the
-/// farthest drone is from its desired position in the end.
+/// What came of a run: collisions, losses of the order, the smallest gap (in the plane: distance) and its
+/// time, and how far the farthest drone is from its desired position in the end.
 fn outcome(record: &Record) -> [String; COLUMNS.len()] {
     let count = |kind| {
         let events = record.events.iter().flatten();
         events.filter(|e| e.kind == kind).count().to_string()
     };
-    let least = summary::least_gap(record);
-    let [gap, at] = match least {
-        Some((gap, _, row)) => {
-            let time = record.times.get(row).copied().unwrap_or_default();
-            [format!("{gap:.4}"), format!("{time:.2}")]
+    let [gap, at] = match summary::least(record) {
+        Some(least) => {
+            let time = record.times.get(least.row).copied().unwrap_or_default();
+            [format!("{:.4}", least.size), format!("{time:.2}")]
         }
         None => ["".to_owned(), "".to_owned()],
     };
     let last = record.rows().saturating_sub(1);
-    let pairs = record.desired_at(last).iter().zip(record.actual_at(last));
-    let off = pairs.map(|(x_d, x)| (x_d - x).abs()).fold(0.0, f64::max);
+    let mut off = vec![0.0_f64; record.count];
+    for (_, track) in record.tracks() {
+        let pairs = record.at(&track.desired, last).iter().zip(record.at(&track.actual, last));
+        off.iter_mut().zip(pairs).for_each(|(off, (x_d, x))| *off = off.hypot(x_d - x));
+    }
+    let off = off.into_iter().fold(0.0, f64::max);
     let off = match &record.broken_off {
         Some(_) => "broke off".to_owned(),
         None => format!("{off:.4}"),

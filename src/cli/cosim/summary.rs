@@ -103,20 +103,13 @@ fn events(record: &Record, out: &mut dyn Write) -> Result<()> {
 /// The smallest gap of neighbours at the grid points, or in the plane the smallest distance.
 fn smallest_gap(record: &Record, known: Option<&Rational>, out: &mut dyn Write) -> Result<()> {
     let only = Evidence::ThisRunOnly;
-    if let Some(y) = &record.y {
-        let Some((distance, (i, j), row)) = nearest(record, &y.actual) else { return Ok(()) };
-        let time = record.times.get(row).copied().unwrap_or_default();
-        writeln!(
-            out,
-            "smallest distance {distance:.4} m, of drones {i} and {j} at {time:.2} s ({only}); \
-             at {:.1} m their arms touch",
-            Body::default().touching()
-        )?;
-        return Ok(());
-    }
-    let Some((gap, i, row)) = least_gap(record) else { return Ok(()) };
+    let Some(Least { size, drones: (i, j), row }) = least(record) else { return Ok(()) };
     let time = record.times.get(row).copied().unwrap_or_default();
-    write!(out, "smallest gap {gap:.4} m, of drones {i} and {} at {time:.2} s ({only})", i + 1)?;
+    let what = if record.y.is_some() { "distance" } else { "gap" };
+    write!(out, "smallest {what} {size:.4} m, of drones {i} and {j} at {time:.2} s ({only})")?;
+    if record.y.is_some() {
+        write!(out, "; at {:.1} m their arms touch", Body::default().touching())?;
+    }
     if let Some(known) = known {
         write!(out, "; never below {} m: see `cordon separation`", fraction(known))?;
     }
@@ -124,20 +117,37 @@ fn smallest_gap(record: &Record, known: Option<&Rational>, out: &mut dyn Write) 
     Ok(())
 }
 
-/// The smallest gap of neighbours at the grid points, the drone before it, and the row; `None` where
-/// no gaps were looked at.
-pub fn least_gap(record: &Record) -> Option<(f64, usize, usize)> {
-    let at = |row: usize| {
-        let gaps = record.actual_at(row).windows(2).map(|x| x[1] - x[0]).enumerate();
-        gaps.map(move |(i, gap)| (gap, i, row))
-    };
-    let least = (0..record.rows()).flat_map(at).min_by(|a, b| a.0.total_cmp(&b.0));
-    least.filter(|_| record.events.is_some() && record.y.is_none())
+/// How near two drones came, and when.
+#[derive(Clone, Copy)]
+pub struct Least {
+    /// The gap, or in the plane the distance, in m.
+    pub size: f64,
+    /// The two drones, in their order.
+    pub drones: (usize, usize),
+    /// The grid point.
+    pub row: usize,
 }
 
-/// The smallest distance of two drones in the plane, which two, and in which row.
-fn nearest(record: &Record, across: &[f64]) -> Option<(f64, (usize, usize), usize)> {
-    let mut least: Option<(f64, (usize, usize), usize)> = None;
+/// The smallest gap of neighbours at the grid points, or in the plane the smallest distance of any two;
+/// `None` where nobody looked for collisions.
+pub fn least(record: &Record) -> Option<Least> {
+    record.events.as_ref()?;
+    match &record.y {
+        None => least_gap(record),
+        Some(y) => nearest(record, &y.actual),
+    }
+}
+
+fn least_gap(record: &Record) -> Option<Least> {
+    let at = |row: usize| {
+        let gaps = record.actual_at(row).windows(2).map(|x| x[1] - x[0]).enumerate();
+        gaps.map(move |(i, size)| Least { size, drones: (i, i + 1), row })
+    };
+    (0..record.rows()).flat_map(at).min_by(|a, b| a.size.total_cmp(&b.size))
+}
+
+fn nearest(record: &Record, across: &[f64]) -> Option<Least> {
+    let mut least: Option<Least> = None;
     for row in 0..record.rows() {
         let (x, y) = (record.actual_at(row), record.at(across, row));
         let mut drones: Vec<_> = x.iter().zip(y).enumerate().collect();
@@ -145,13 +155,13 @@ fn nearest(record: &Record, across: &[f64]) -> Option<(f64, (usize, usize), usiz
         for (place, (i, (x_i, y_i))) in drones.iter().enumerate() {
             for (j, (x_j, y_j)) in drones.iter().skip(place + 1) {
                 let gap = **x_j - **x_i;
-                if least.is_some_and(|(d, ..)| gap >= d) {
+                if least.is_some_and(|l| gap >= l.size) {
                     // Those farther along x are farther off.
                     break;
                 }
-                let distance = gap.hypot(**y_j - **y_i);
-                if least.is_none_or(|(d, ..)| distance < d) {
-                    least = Some((distance, (*i.min(j), *i.max(j)), row));
+                let size = gap.hypot(**y_j - **y_i);
+                if least.is_none_or(|l| size < l.size) {
+                    least = Some(Least { size, drones: (*i.min(j), *i.max(j)), row });
                 }
             }
         }

@@ -61,8 +61,8 @@ pub fn substitute(
 /// `fmi-import`.
 #[cfg(all(feature = "fmi-import", unix))]
 pub fn serve() -> Result<()> {
-    let stream = cordon_fmi::remote::stream_to_parent()?;
-    Ok(cordon_fmi::host::serve(&stream)?)
+    let (orders, answers) = cordon_fmi::remote::pipes_to_parent()?;
+    Ok(cordon_fmi::host::serve(orders, answers)?)
 }
 
 /// As above, for a program that cannot run FMUs.

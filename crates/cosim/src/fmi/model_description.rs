@@ -62,6 +62,16 @@ pub struct FmuVariable {
     pub is_array: bool,
 }
 
+/// Types of variables that stand for real ones.
+pub(super) const REALS: &[&str] = &["Real", "Float64", "Float32"];
+
+impl FmuVariable {
+    /// Whether its values are real ones.
+    pub fn is_real(&self) -> bool {
+        REALS.contains(&self.kind.as_str())
+    }
+}
+
 /// The physical unit of a variable of an FMU.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FmuUnit {

@@ -375,7 +375,7 @@
     document.querySelectorAll("#events li").forEach((li) => { li.className = Number(li.dataset.time) <= state.t ? "past" : ""; });
   }
   function outside(beyond) {
-    const side = ([name, list]) => (list.length ? `; beyond the picture, ${name}: drones ${list.slice(0, 8).join(", ")}` : "");
+    const side = ([name, list]) => (list.length ? `; beyond the picture, ${name}: ${list.length === 1 ? "drone" : "drones"} ${list.slice(0, 8).join(", ")}` : "");
     return Object.entries(beyond).map(side).join("");
   }
   function draw() {

@@ -23,8 +23,9 @@ pub fn csv(record: &Record, out: &mut dyn Write) -> Result<()> {
         let (ready, pieces) = sync_channel::<Vec<u8>>(4);
         scope.spawn(move || {
             let mut piece = Vec::with_capacity(PIECE);
+            let mut lines = Lines::default();
             for row in 0..record.rows() {
-                line(record, row, &mut piece);
+                lines.line(record, row, &mut piece);
                 if piece.len() > PIECE / 2 || row + 1 == record.rows() {
                     let full = std::mem::replace(&mut piece, Vec::with_capacity(PIECE));
                     // Nobody reads on where writing failed.
@@ -49,29 +50,59 @@ fn named(prefix: &str, count: usize) -> impl Iterator<Item = String> {
     (0..count).map(move |i| format!("{prefix}{i}"))
 }
 
-fn line(record: &Record, row: usize, text: &mut Vec<u8>) {
-    number(record.times.get(row).copied().unwrap_or_default(), text);
-    let positions = record.positions().flat_map(|(_, numbers)| record.at(numbers, row));
-    let series = record.series.iter().filter_map(|s| s.values.get(row));
-    for x in positions.chain(series) {
-        text.push(b',');
-        number(*x, text);
+/// Puts rows into words. Desired positions stay as they are from update to update: their words do too.
+#[derive(Default)]
+struct Lines {
+    /// Of each block of columns the words of the last row.
+    blocks: Vec<Vec<u8>>,
+}
+
+impl Lines {
+    fn line(&mut self, record: &Record, row: usize, text: &mut Vec<u8>) {
+        number(record.times.get(row).copied().unwrap_or_default(), text);
+        for (place, (_, numbers)) in record.positions().enumerate() {
+            if self.blocks.len() == place {
+                self.blocks.push(Vec::new());
+            }
+            let Some(block) = self.blocks.get_mut(place) else { continue };
+            let now = record.at(numbers, row);
+            let before = row.checked_sub(1).map(|row| record.at(numbers, row));
+            let same = |a: &[f64]| a.iter().zip(now).all(|(a, b)| a.to_bits() == b.to_bits());
+            if !before.is_some_and(same) {
+                block.clear();
+                now.iter().for_each(|x| field(*x, block));
+            }
+            text.extend_from_slice(block);
+        }
+        record.series.iter().filter_map(|s| s.values.get(row)).for_each(|x| field(*x, text));
+        text.push(b'\n');
     }
-    text.push(b'\n');
+}
+
+fn field(x: f64, text: &mut Vec<u8>) {
+    text.push(b',');
+    number(x, text);
 }
 
 /// A number as Rust writes it, `{:?}`.
 fn number(x: f64, text: &mut Vec<u8>) {
     // Where two decimals are equally short and equally near, the printers differ: that takes a
     // number of few binary places.
-    let places = x * 16_777_216.0;
-    let may_tie = places == places.trunc() && x != x.trunc();
-    if (1e-4..1e16).contains(&x.abs()) && !may_tie {
+    if (1e-4..1e16).contains(&x.abs()) && !(1..=24).contains(&binary_places(x)) {
         text.extend_from_slice(zmij::Buffer::new().format_finite(x).as_bytes());
     } else {
         // Zero, and what has an exponent.
         text.extend_from_slice(format!("{x:?}").as_bytes());
     }
+}
+
+/// How many digits a number has after its binary point, fewer than none where it ends in zeros before
+/// it; of a normal number.
+fn binary_places(x: f64) -> i64 {
+    let (bits, digits) = (x.to_bits(), i64::from(f64::MANTISSA_DIGITS) - 1);
+    let exponent = (bits >> digits & 0x7ff) as i64 - 1023;
+    let zeros = (bits | 1 << digits).trailing_zeros();
+    digits - exponent - i64::from(zeros)
 }
 
 /// A head as it stands in a line: names of other tools may have commas.

@@ -52,3 +52,42 @@ fn encoded(record: &Record) -> Result<Vec<u8>, ParquetError> {
     group.close()?;
     writer.into_inner()
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::Field;
+
+    use super::*;
+    use crate::cosimulation::Cosimulation;
+    use crate::run::run;
+    use crate::store::csv::heads;
+    use cordon_run::scenario::{Flight, parse};
+
+    /// Columns of positions and of other variables come back, to the last bit.
+    #[test]
+    fn columns_are_those_of_the_csv() {
+        let text = "start = [0, 10, 100]\nweight = 0.2\nperiod = 4\ntau = 0.05\n";
+        let scenario = parse("test", text).unwrap().finish().unwrap();
+        let mut swarm = Cosimulation::new(scenario, Flight::default()).unwrap();
+        swarm.recorded_variables = vec!["plant?.theta".to_owned(), "*.w1".to_owned()];
+        let record = run(&swarm).unwrap();
+        assert_eq!(record.series.len(), 9);
+        let mut file = tempfile::tempfile().unwrap();
+        parquet(&record, &mut file).unwrap();
+        let reader = SerializedFileReader::new(file).unwrap();
+        let mut compared = 0;
+        for (k, row) in reader.get_row_iter(None).unwrap().enumerate() {
+            let row = row.unwrap();
+            let (names, read): (Vec<_>, Vec<_>) = row.get_column_iter().cloned().unzip();
+            assert_eq!(names, heads(&record));
+            let written = std::iter::once(record.times[k])
+                .chain(record.positions().flat_map(|(_, x)| record.at(x, k).iter().copied()))
+                .chain(record.series.iter().map(|s| s.values[k]));
+            assert_eq!(read, written.map(Field::Double).collect::<Vec<_>>());
+            compared += read.len();
+        }
+        assert_eq!(compared, 501 * (1 + 6 + 9));
+    }
+}

@@ -9,6 +9,8 @@ use crate::fmu::{Datum, Type, Variable, Version};
 /// A value for messages.
 pub(super) fn shown(value: &Datum) -> String {
     match value {
+        // What was never set may have hundreds of zeros.
+        Datum::Real(x) if *x != 0.0 && !(1e-6..1e15).contains(&x.abs()) => format!("{x:e}"),
         Datum::Real(x) => x.to_string(),
         Datum::Integer(n) => n.to_string(),
         Datum::Boolean(b) => b.to_string(),
@@ -148,7 +150,7 @@ impl Instance {
         let set: c::Set2<T> = unsafe { self.library.function(name) }?;
         // SAFETY: the instance is alive, and both arrays have this length.
         let status = unsafe { set(self.raw, references.as_ptr(), list.len(), list.as_ptr()) };
-        self.judge(&format!("setting {}", names(variables)), status)
+        self.judge(|| format!("setting {}", names(variables)), status)
     }
 
     fn put3<T>(&mut self, name: &str, variables: &[Variable], list: &[T]) -> Result<(), String> {
@@ -158,7 +160,7 @@ impl Instance {
         let (first, count) = (list.as_ptr(), list.len());
         // SAFETY: the instance is alive, and both arrays have this length.
         let status = unsafe { set(self.raw, references.as_ptr(), count, first, count) };
-        self.judge(&format!("setting {}", names(variables)), status)
+        self.judge(|| format!("setting {}", names(variables)), status)
     }
 
     /// Reads variables; those of one type that follow each other in one call.
@@ -257,7 +259,7 @@ impl Instance {
         let get: c::Get2<T> = unsafe { self.library.function(name) }?;
         // SAFETY: the instance is alive, and both arrays have this length.
         let status = unsafe { get(self.raw, references.as_ptr(), list.len(), list.as_mut_ptr()) };
-        self.judge(&format!("reading {}", names(variables)), status)?;
+        self.judge(|| format!("reading {}", names(variables)), status)?;
         Ok(list)
     }
 
@@ -274,7 +276,7 @@ impl Instance {
         let (first, count) = (list.as_mut_ptr(), list.len());
         // SAFETY: the instance is alive, and both arrays have this length.
         let status = unsafe { get(self.raw, references.as_ptr(), count, first, count) };
-        self.judge(&format!("reading {}", names(variables)), status)?;
+        self.judge(|| format!("reading {}", names(variables)), status)?;
         Ok(list)
     }
 }

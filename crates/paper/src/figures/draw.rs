@@ -15,13 +15,14 @@ const SIZE: (u32, u32) = (1100, 640);
 const LEGEND: u32 = 110;
 
 /// Colours that people with a colour vision deficiency can tell apart (Okabe and Ito).
-const COLOURS: [RGBColor; 6] = [
+const COLOURS: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
     RGBColor(204, 121, 167),
     RGBColor(86, 87, 92),
     RGBColor(230, 159, 0),
+    RGBColor(0, 0, 0),
 ];
 
 const GRID: RGBColor = RGBColor(225, 225, 228);
@@ -107,13 +108,15 @@ impl Plot {
         for t in verticals {
             chart.draw_series(LineSeries::new([(t, low), (t, high)], GRID))?;
         }
-        for (line, colour) in self.lines.iter().zip(COLOURS.iter().cycle()) {
-            if let [dot] = line.points.as_slice() {
-                chart.draw_series([Circle::new(*dot, 9, colour.filled())])?;
-                continue;
-            }
+        let coloured = || self.lines.iter().zip(COLOURS.iter().cycle());
+        for (line, colour) in coloured().filter(|(line, _)| line.points.len() > 1) {
             let points = line.points.iter().copied();
             chart.draw_series(LineSeries::new(points, colour.stroke_width(2)))?;
+        }
+        for (line, colour) in coloured() {
+            if let [dot] = line.points.as_slice() {
+                chart.draw_series([Circle::new(*dot, 9, colour.filled())])?;
+            }
         }
         for (time, x, label) in &self.marks {
             chart.draw_series(LineSeries::new([(*time, low), (*time, high)], MARK))?;

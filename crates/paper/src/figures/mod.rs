@@ -246,18 +246,22 @@ fn points(record: &Record, drone: usize, desired: bool) -> Vec<(f64, f64)> {
     points
 }
 
-/// The wanted height, and where every drone is at a moment: x and z.
+/// The ground and the wanted height, between which figures are to scale, and where every drone is at a
+/// moment: x and z.
 fn side(record: &Record, hundredths: i32) -> Vec<Line> {
     let moment = f64::from(hundredths) / 100.0;
     // The grid point that the moment stands for.
     let row = record.times.iter().position(|t| *t > moment - 1e-9).unwrap_or_default();
     let Some(height) = &record.height else { return Vec::new() };
-    let wanted = [-8.0, 108.0].map(|x| (x, height.desired));
+    let level = |name: &str, z: f64| Line {
+        name: name.to_owned(),
+        points: [-8.0, 108.0].map(|x| (x, z)).into(),
+    };
     let places = record.actual_at(row).iter().zip(record.at(&height.actual, row));
     let drones = places
         .enumerate()
         .map(|(i, (&x, &z))| Line { name: format!("drone {i}"), points: vec![(x, z)] });
-    drones.chain([Line { name: "z_d".to_owned(), points: wanted.into() }]).collect()
+    drones.chain([level("z_d", height.desired), level("ground", 0.0)]).collect()
 }
 
 fn collisions(record: &Record) -> Vec<(f64, f64, String)> {

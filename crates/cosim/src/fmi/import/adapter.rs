@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::fmi::archive::Fmu;
-use crate::fmi::model_description::FmuVariable;
+use crate::fmi::model_description::{FmuVariable, REALS};
 use crate::fmi::units::{Conversion, Si};
 use crate::unit::{Causality, Kind, Unit, Value, Variable};
 use cordon_core::{Error, Rational, Result, exact};
@@ -117,7 +117,7 @@ fn parameter(theirs: &FmuVariable, value: &Parameter) -> Result<Value, String> {
     let kind = theirs.kind.as_str();
     let whole = |x: &Rational| x.is_integer().then(|| x.to_integer().to_i64()).flatten();
     match value {
-        Parameter::Number(x) if REALS.contains(&kind) => Ok(Value::Real(exact::to_f64(x))),
+        Parameter::Number(x) if theirs.is_real() => Ok(Value::Real(exact::to_f64(x))),
         Parameter::Number(x) if WHOLES.contains(&kind) => match whole(x) {
             Some(n) => Ok(Value::Integer(n)),
             None => Err(format!("`{x}`: expected a whole number")),
@@ -127,9 +127,6 @@ fn parameter(theirs: &FmuVariable, value: &Parameter) -> Result<Value, String> {
         _ => Err(format!("it has type {kind}: expected a value of that type")),
     }
 }
-
-/// Types of variables that stand for real ones.
-const REALS: &[&str] = &["Real", "Float64", "Float32"];
 
 /// Types of variables that stand for whole numbers.
 const WHOLES: &[&str] =
@@ -143,11 +140,12 @@ fn compared(ours: &Variable, theirs: &FmuVariable) -> Result<Option<Conversion>,
         let (found, expected) = (&theirs.causality, ours.causality.name());
         return Err(format!("`{name}` is {found}: expected {expected}"));
     }
+    // A whole number can be told as a real one, once; what is received is of the type that is read.
+    let told = ours.causality == Causality::Parameter;
     let kinds: &[&str] = match ours.kind() {
-        Kind::Real => &["Real", "Float64", "Float32"],
-        Kind::Integer => {
-            &["Integer", "Int64", "Int32", "Int16", "Int8", "UInt64", "UInt32", "UInt16", "UInt8"]
-        }
+        Kind::Real => REALS,
+        Kind::Integer if told && theirs.is_real() => REALS,
+        Kind::Integer => WHOLES,
         Kind::Boolean => &["Boolean"],
         Kind::Text | Kind::Exact => &["String"],
     };

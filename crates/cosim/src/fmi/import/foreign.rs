@@ -41,7 +41,8 @@ pub(super) struct Foreign {
 
 /// Where the instance is.
 enum Session {
-    Here(Box<Instance>),
+    /// With the answer to the step that was begun.
+    Here(Box<Instance>, Option<Reply>),
     #[cfg(unix)]
     There(Remote),
 }
@@ -49,7 +50,7 @@ enum Session {
 impl Session {
     fn load(isolation: &Isolation, fmu: fmu::Fmu) -> Result<Self, String> {
         match isolation {
-            Isolation::InProcess => Ok(Self::Here(Box::new(Instance::load(&fmu)?))),
+            Isolation::InProcess => Ok(Self::Here(Box::new(Instance::load(&fmu)?), None)),
             #[cfg(unix)]
             Isolation::Process { program, arguments, limit } => {
                 let mut command = std::process::Command::new(program);
@@ -65,17 +66,30 @@ impl Session {
 
     fn initialise(&mut self, beginning: Beginning) -> Reply {
         match self {
-            Self::Here(instance) => instance.initialise(beginning),
+            Self::Here(instance, _) => instance.initialise(beginning),
             #[cfg(unix)]
             Self::There(remote) => remote.initialise(beginning),
         }
     }
 
-    fn step(&mut self, from: f64, size: f64, inputs: Vec<Datum>) -> Reply {
+    fn begin_step(&mut self, from: f64, size: f64, inputs: Vec<Datum>) -> Result<(), String> {
         match self {
-            Self::Here(instance) => instance.step(from, size, &inputs),
+            Self::Here(instance, answer) => {
+                *answer = Some(instance.step(from, size, &inputs));
+                Ok(())
+            }
             #[cfg(unix)]
-            Self::There(remote) => remote.step(from, size, inputs),
+            Self::There(remote) => remote.begin_step(from, size, inputs),
+        }
+    }
+
+    fn end_step(&mut self) -> Reply {
+        match self {
+            Self::Here(_, answer) => {
+                answer.take().unwrap_or_else(|| Reply::failed("no step was begun".to_owned()))
+            }
+            #[cfg(unix)]
+            Self::There(remote) => remote.end_step(),
         }
     }
 }
@@ -137,9 +151,9 @@ impl Foreign {
     }
 
     /// Takes an answer: the notes, and the outputs' values.
-    fn take(&mut self, answer: Reply, when: &str) -> Result<(), UnitError> {
+    fn take(&mut self, answer: Reply, when: impl Fn() -> String) -> Result<(), UnitError> {
         self.note(answer.notes);
-        let read = answer.result.map_err(|what| self.failed(&format!("{when}{what}")))?;
+        let read = answer.result.map_err(|what| self.failed(&format!("{}{what}", when())))?;
         let outputs = self.counterparts.iter().filter(|c| c.causality == Causality::Output);
         let mut values = Vec::with_capacity(read.len());
         for (counterpart, datum) in outputs.zip(read) {
@@ -181,6 +195,8 @@ impl Foreign {
 fn outward(counterpart: &Counterpart, value: &Value) -> Datum {
     match (value, counterpart.conversion) {
         (Value::Real(x), Some(conversion)) => Datum::Real(conversion.outward(*x)),
+        // Parameters: identifiers, counts and periods, far below 2^53.
+        (Value::Integer(n), _) if counterpart.theirs.is_real() => Datum::Real(*n as f64),
         _ => plain(value),
     }
 }
@@ -214,6 +230,11 @@ fn foreign(variable: &FmuVariable) -> Option<fmu::Variable> {
         _ => return None,
     };
     Some(fmu::Variable { name: variable.name.clone(), reference: variable.reference, kind })
+}
+
+/// The step in which something happened, in words.
+fn during(grid: &Grid, step: u64) -> String {
+    format!("step {step}, from {} s: ", grid.time_f64(step))
 }
 
 impl Unit for Foreign {
@@ -258,15 +279,20 @@ impl Unit for Foreign {
             stop: grid.time_f64(grid.steps()),
         };
         let answer = self.session.initialise(beginning);
-        self.take(answer, "")
+        self.take(answer, String::new)
+    }
+
+    fn begin_step(&mut self, grid: &Grid, step: u64) -> Result<(), UnitError> {
+        let (from, size) = (grid.time_f64(step), grid.tau_f64());
+        let inputs = self.counterparts.iter().filter(|c| c.causality == Causality::Input);
+        let inputs = inputs.filter_map(|c| Some(outward(c, self.values.get(c.place)?)));
+        let begun = self.session.begin_step(from, size, inputs.collect());
+        begun.map_err(|what| self.failed(&format!("{}{what}", during(grid, step))))
     }
 
     fn do_step(&mut self, grid: &Grid, step: u64) -> Result<(), UnitError> {
-        let (from, size) = (grid.time_f64(step), grid.tau_f64());
-        let inputs = self.counterparts.iter().filter(|c| c.causality == Causality::Input);
-        let inputs = inputs.filter_map(|c| Some(outward(c, self.values.get(c.place)?))).collect();
-        let answer = self.session.step(from, size, inputs);
-        self.take(answer, &format!("step {step}, from {from} s: "))
+        let answer = self.session.end_step();
+        self.take(answer, || during(grid, step))
     }
 
     fn notes(&self) -> &[String] {

@@ -14,6 +14,7 @@ use serde_json::Value;
 /// benchmarks may use more.
 const ROOMS: &[(&str, &[&str])] = &[
     ("cordon-spec", &[]),
+    ("cordon-contracts", &["cordon-spec"]),
     ("cordon-check", &["cordon-spec"]),
     ("cordon-kani", &["cordon-spec"]),
     ("cordon-fmi", &[]),

@@ -67,17 +67,27 @@ const PVS: Tool = Tool {
     sources: &["crates/proof/src/export/pvs/theories", "proofs/pvs"],
 };
 
-/// The spec's own Rust, with its contracts.
+/// The spec's own Rust with its contracts, and what follows from them.
 const CREUSOT: Tool = Tool {
     name: "creusot",
     // Proved by solvers, and by no kernel.
     kind: Evidence::Inductive,
     folder: "proofs/creusot",
-    directory: "spec",
+    directory: ".",
     program: "cargo",
-    arguments: &["creusot", "prove", "-p", "cordon-spec", "--", "--features", "contracts"],
+    arguments: &[
+        "creusot",
+        "prove",
+        "-p",
+        "cordon-spec",
+        "-p",
+        "cordon-contracts",
+        "--",
+        "--features",
+        "cordon-spec/contracts,cordon-contracts/contracts",
+    ],
     version: ["cargo", "creusot", "version"],
-    sources: &["spec/src"],
+    sources: &["spec/src", "proofs/creusot/src"],
 };
 
 /// The table of what a tier claims, in its folder.

@@ -422,7 +422,7 @@ mod tests {
         assert_eq!(accepted.weight, q(1, 4));
         let platoon = format!("protocol = '{}'\nstart = [0, 1]", file("platoon"));
         let said = parse("test", &platoon).unwrap().finish().unwrap_err().to_string();
-        assert!(said.contains("agents: `1`"), "{said}");
+        assert!(said.contains("2 numbers given: expected 2 for each of 5 agents"), "{said}");
         // Beside the scenario file, wherever the program runs.
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios");
         let beside = folder.join("own-flight.toml");

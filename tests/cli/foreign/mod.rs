@@ -8,13 +8,12 @@ mod variables;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{Cursor, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 
 use tempfile::TempDir;
 use zip::{ZipWriter, write::SimpleFileOptions};
 
-use crate::common::run;
 
 const OUTPUTS: [&str; 12] =
     ["x", "y", "z", "vx", "vy", "vz", "phi", "theta", "psi", "vphi", "vtheta", "vpsi"];

@@ -40,8 +40,9 @@ pub struct Bracket {
     pub is_exact: bool,
 }
 
-/// Most work at one weight, in the unit of [`cordon_core::simplex::Work`]: some seconds.
-pub const WORK: u64 = 40_000_000;
+/// Most work at one weight, in the unit of [`cordon_core::simplex::Work`]: some ten seconds. Six drones whose
+/// messages are a step late take half of it.
+pub const WORK: u64 = 120_000_000;
 
 /// Brackets the critical weight of `count` drones whose messages are up to `longest` steps late; at each
 /// weight the search takes `work` at most, and there are no more weights than halving takes.

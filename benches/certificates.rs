@@ -11,7 +11,7 @@ use std::time::Instant;
 use cordon_core::Rational;
 use cordon_proof::prove::{CLAIMS, Claim, Scope};
 use cordon_proof::sweep::Item;
-use cordon_proof::sweep::exhaust::{Trial, engine};
+use cordon_proof::sweep::exhaust::{Exhaust, Trial};
 use cordon_proof::sweep::grid::Grid;
 use cordon_spec::theorems::{Form, Theorem};
 use divan::AllocProfiler;
@@ -41,8 +41,8 @@ fn compare_with_sweep() {
         for eps in weights {
             let item =
                 Item { number: 0, theorem: Theorem::Ordering, form: Form::Sharp, drones, eps };
-            let engine = engine(&item, 30, grid.length);
-            let mut trial = Trial::new(&*engine, Grid::mirrored(item.theorem, starts));
+            let engine = Exhaust::new(&item, 30, grid.length);
+            let mut trial = Trial::new(&engine, Grid::mirrored(item.theorem, starts));
             trial.sweep(&grid, &grid.whole());
             let tally = trial.end();
             assert_eq!(tally.counts.violations, 0);

@@ -5,7 +5,7 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use cordon_core::Rational;
-use cordon_proof::sweep::exhaust::{Tally, Trial, engine};
+use cordon_proof::sweep::exhaust::{Exhaust, Tally, Trial};
 use cordon_proof::sweep::grid::Grid;
 use cordon_proof::sweep::run::{Progress, run};
 use cordon_proof::sweep::{Config, Item, StartSpace, WeightSet};
@@ -45,9 +45,9 @@ fn drone_updates(bencher: divan::Bencher, work: &Work) {
     let item = Item { number: 0, theorem, form: Form::Sharp, drones, eps };
     let starts = theorem.hypothesis(Form::Sharp).starts;
     let grid = Grid::new(starts, drones, resolution).expect("small");
-    let engine = engine(&item, steps, grid.length);
+    let engine = Exhaust::new(&item, steps, grid.length);
     let run = || -> Tally {
-        let mut trial = Trial::new(&*engine, Grid::mirrored(theorem, starts));
+        let mut trial = Trial::new(&engine, Grid::mirrored(theorem, starts));
         trial.sweep(&grid, &grid.whole());
         trial.end()
     };

@@ -4,6 +4,8 @@ hash, and prints the tables in Markdown. Called by run.sh, which builds what is 
 The work: exact positions after k protocol steps, eps = 1/5, drone i of N at 40i/(N-1) and the
 last at 100. CPU seconds of the computation alone, the best of several runs (one, where a run
 takes seconds); the second table has whole processes by the clock, start-up and output included."""
+import contextlib
+import io
 import os
 import re
 import resource
@@ -190,27 +192,34 @@ def co_simulation(n=1000, seconds=100):
         print(f"| {name} | {spent:.2f} | {spent / rows[2][1]:.2g} |")
 
 
-# Weights p/q of the sweeps, with which 64 bits hold every number.
-RATES = [(1, 2), (1, 3)]
+# Weight p/q and last step k of the sweeps. In the first, 32 bits hold every number; in the second
+# 53 do up to step 28, and 64 all.
+RATES = [(1, 2, 20), (1, 3, 30)]
 
-# On 36 units Python ends; on 250 the rest has something to do.
+# A name, a command, the length of the segment (on 36 units Python ends; on 360 the rest has
+# something to do), and whether it runs the second sweep too.
 SWEEPS = [
     ("Cordon", [os.path.join(BUILD, "cordon"), "sweep", "7.2", "--drones", "5", "--eps", "{p}/{q}", "--grid", "{length}",
-                "--steps", "30", "--threads", "1"], 360),
-    ("C, 64 bits, vectors of AVX2", [os.path.join(BUILD, "sweep-avx2"), "{length}", "{p}", "{q}"], 360),
-    ("C, 64 bits, vectors of x86-64", [os.path.join(BUILD, "sweep"), "{length}", "{p}", "{q}"], 360),
-    ("Python integers", [sys.executable, os.path.join(HERE, "sweep.py"), "{length}", "{p}", "{q}"], 36),
+                "--steps", "{k}", "--threads", "1"], 360, True),
+    ("C, 32 bits, vectors of AVX2", [os.path.join(BUILD, "sweep32-avx2"), "{length}", "{p}", "{q}", "{k}"], 360, False),
+    ("C, 32 bits, vectors of x86-64", [os.path.join(BUILD, "sweep32"), "{length}", "{p}", "{q}", "{k}"], 360, False),
+    ("C, 64 bits, vectors of AVX2", [os.path.join(BUILD, "sweep-avx2"), "{length}", "{p}", "{q}", "{k}"], 360, True),
+    ("C, 64 bits, vectors of x86-64", [os.path.join(BUILD, "sweep"), "{length}", "{p}", "{q}", "{k}"], 360, True),
+    ("Python integers", [sys.executable, os.path.join(HERE, "sweep.py"), "{length}", "{p}", "{q}", "{k}"], 36, True),
 ]
 
 
 def sweeps():
-    """Drone updates a second and core: theorem 7.2, N = 5, k <= 30, whole processes by user time."""
-    print("\n| sweep of 7.2, N = 5, k <= 30, one core | " + " | ".join(f"eps = {p}/{q}" for p, q in RATES) + " |")
+    """Drone updates a second and core: theorem 7.2, N = 5, whole processes by user time. Of two starts that
+    are mirror images all of them run one; those that are run are counted. All do the same number."""
+    print("| sweep of 7.2, N = 5, 10^9 updates a second and core | "
+          + " | ".join(f"eps = {p}/{q}, k <= {k}" for p, q, k in RATES) + " |")
     print("|---|" + "---|" * len(RATES))
-    for name, template, length in SWEEPS:
+    counted = {}
+    for name, template, length, both in SWEEPS:
         cells = []
-        for p, q in RATES:
-            command = [part.format(length=length, p=p, q=q) for part in template]
+        for p, q, k in RATES if both else RATES[:1]:
+            command = [part.format(length=length, p=p, q=q, k=k) for part in template]
             if not installed(command):
                 break
             rate = 0
@@ -218,21 +227,43 @@ def sweeps():
                 before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
                 done = subprocess.run(command, capture_output=True, text=True, check=True)
                 seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-                updates = re.search(r"(\d+) drone updates", done.stdout + done.stderr)
-                rate = max(rate, int(updates[1]) / seconds)
-            cells.append(f"{rate / 1e9:.3g} G/s")
+                updates = int(re.search(r"(\d+) drone updates", done.stdout + done.stderr)[1])
+                if counted.setdefault((length, k), updates) != updates:
+                    sys.exit(f"{name}: {updates} drone updates, others {counted[length, k]}")
+                rate = max(rate, updates / seconds)
+            cells.append(f"{rate / 1e9:.3g}")
         if cells:
-            print(f"| {name} | " + " | ".join(cells) + " |")
+            print(f"| {name} | " + " | ".join(cells + [""] * (len(RATES) - len(cells))) + " |")
 
+
+def write_to_readme(name, text):
+    """Puts a table in the place of what is between its two marks in the README."""
+    path = os.path.join(HERE, "..", "..", "README.md")
+    with open(path) as file:
+        readme = file.read()
+    begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->\n"
+    if readme.count(begin) != 1 or readme.count(end) != 1:
+        sys.exit(f"README.md: the marks of the table `{name}`: expected each once")
+    before, rest = readme.split(begin)
+    with open(path, "w") as file:
+        file.write(before + begin + text.strip() + "\n" + end + rest.split(end)[1])
+
+
+TABLES = {
+    "exact": lambda: multiplication(exact_table()),
+    "processes": whole_processes,
+    "co-simulation": co_simulation,
+    "sweeps": sweeps,
+}
 
 if __name__ == "__main__":
-    # All tables, or those that are named.
-    named = sys.argv[2:] or ["exact", "processes", "co-simulation", "sweeps"]
-    if "exact" in named:
-        multiplication(exact_table())
-    if "processes" in named:
-        whole_processes()
-    if "co-simulation" in named:
-        co_simulation()
-    if "sweeps" in named:
-        sweeps()
+    # All tables, or those that are named; `--readme` writes them there too.
+    named = [name for name in sys.argv[2:] if name != "--readme"] or list(TABLES)
+    for name in named:
+        if name not in TABLES:
+            sys.exit(f"table `{name}`: expected one of {', '.join(TABLES)}")
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            TABLES[name]()
+        print(printed.getvalue().strip() + "\n", flush=True)
+        if "--readme" in sys.argv[2:] and printed.getvalue().strip():
+            write_to_readme(name, printed.getvalue())

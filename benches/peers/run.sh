@@ -5,7 +5,8 @@
 # Peers: Python 3 (also runs the comparison), FLINT and GMP (Debian: libflint-dev, libgmp-dev),
 # SBCL. Set PEERS_LIMIT for another time limit of a run than 60 s, GMP=no to leave out the
 # feature `gmp` (which builds GMP from source). Arguments name tables: exact, processes,
-# co-simulation, sweeps; what the others need is not built.
+# co-simulation, sweeps; what the others need is not built. With `--readme` each table replaces the
+# one in the README.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
@@ -19,10 +20,13 @@ say() { echo "$*" >&2; }
 
 wanted() { # a table, the arguments
     table=$1
+    named=no
     shift
-    [ $# -eq 0 ] && return 0
-    for name; do [ "$name" = "$table" ] && return 0; done
-    return 1
+    for name; do
+        [ "$name" = "$table" ] && return 0
+        [ "$name" = --readme ] || named=yes
+    done
+    [ "$named" = no ]
 }
 
 if wanted exact "$@" || wanted processes "$@"; then
@@ -52,5 +56,7 @@ if wanted co-simulation "$@"; then compile swarm "-lm"; fi
 if wanted sweeps "$@"; then
     compile sweep ""
     compile sweep-avx2 "" sweep -march=x86-64-v3
+    compile sweep32 "" sweep -DNUMBER=int32_t
+    compile sweep32-avx2 "" sweep "-march=x86-64-v3 -DNUMBER=int32_t"
 fi
 exec python3 "$here/run.py" "$build" "$@"

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """The sweep of theorem 7.2 in plain Python, for comparison with `cordon sweep`: as sweep.c, one start
-after the other. Arguments LENGTH P Q; prints drone updates and violations."""
+after the other. Arguments LENGTH P Q K; prints drone updates and violations."""
 
 import sys
 from itertools import combinations
 
-N, STEPS = 5, 30
-LENGTH, P, Q = map(int, sys.argv[1:])
+N = 5
+LENGTH, P, Q, K = map(int, sys.argv[1:])
 
 
 def sweep():
@@ -17,7 +17,7 @@ def sweep():
         if mirror < x:
             continue
         own, first, last = Q - 2 * P, 0, LENGTH
-        for k in range(STEPS + 1):
+        for k in range(K + 1):
             if k > 0:
                 inner = [P * x[i - 1] + own * x[i] + P * x[i + 1] for i in range(1, N - 1)]
                 first, last = Q * first, Q * last

@@ -1,24 +1,26 @@
 //! Every start of a grid, at every step.
 //!
-//! Starts are stepped sixteen at a time ([`super::lanes`]) on 32-bit integers as long as [`Range`]
-//! proves that they hold every number, then on 64-bit ones; then one by one on 128-bit, 256-bit
-//! and big integers, each taking over where the narrower one ends. Nothing wraps, nothing is
-//! checked at run time, nothing is rounded.
+//! Starts are stepped 32 at a time ([`super::lanes`]) on 32-bit integers as long as [`Range`]
+//! proves that they hold every number, then on integers of 53 bits and of 64; then one by one on
+//! 128-bit, 256-bit and big integers, each taking over where the narrower one ends. Nothing
+//! wraps, nothing is checked at run time, nothing is rounded.
 
-use cordon_spec::Ordered;
+use std::ops::RangeInclusive;
+
 use cordon_spec::theorems::{Form, Setting, Theorem, Truth, Verdict};
 use num_bigint::BigInt;
 
 use super::config::Item;
 use super::finding::Counts;
 use super::grid::{Grid, Piece};
-use super::kernel::{Dynamic, Fixed, Shape, Update, Window, widened};
-use super::lanes::{LANES, Lanes};
-use super::machine::{Machine, Wide, Widened};
+use super::kernel::{Update, Window};
+use super::lanes::{LANES, Lanes, Number};
+use super::machine::{Machine, Wide};
 use super::range::Range;
 use crate::counterexample::Counterexample;
 use cordon_core::Rational;
 use cordon_core::stencil::Stencil;
+use cordon_vector::{Task, widest};
 
 /// Counts, and the first violation: least k, then first in the order of the starts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -71,90 +73,91 @@ impl Tally {
 }
 
 /// A work item made ready to run on starts of integers up to a length.
-pub struct Exhaust<Sh: Shape> {
+pub struct Exhaust {
     theorem: Theorem,
     form: Form,
     count: usize,
     steps: usize,
     span: usize,
     length: i64,
-    narrow: Stage<Lanes<i32>>,
-    plain: Stage<Lanes<i64>>,
-    double: Stage<i128>,
-    wide: Stage<Wide>,
-    big: Stage<BigInt>,
-    shape: std::marker::PhantomData<fn() -> Sh>,
+    narrow: Option<Stage<Lanes<i32>>>,
+    exact: Option<Stage<Lanes<f64>>>,
+    plain: Option<Stage<Lanes<i64>>>,
+    double: Option<Stage<i128>>,
+    wide: Option<Stage<Wide>>,
+    big: Option<Stage<BigInt>>,
 }
 
 /// The steps that one kind of integers runs.
-struct Stage<S> {
-    /// Weights of the step, and eps (numerator, denominator), in these integers, and the last
-    /// step they hold; `None` where they hold no step.
-    ready: Option<(Update<S>, (S, S), usize)>,
+struct Stage<S: Machine> {
+    /// Weights of the step.
+    update: Update<S::Weight>,
+    /// Numerator and denominator of eps.
+    eps: (S, S),
+    /// The last step that these integers hold.
+    last: usize,
 }
 
 impl<S: Machine> Stage<S> {
-    /// What narrower integers have left behind, in these.
-    fn take_over<Sh: Shape, T>(
-        &self,
-        before: Option<Window<T, Sh::Of<T>>>,
-    ) -> Option<Window<S, Sh::Of<S>>>
-    where
-        T: Clone + Send + Sync,
-        S: Widened<T>,
-    {
-        let (_, (num, den), _) = self.ready.as_ref()?;
-        Some(widened::<Sh, T, S>(&before?, (num, den)))
+    /// `None` where these integers hold no step, or not the weights: that leaves the work to
+    /// wider ones.
+    fn new(item: &Item, update: &Update, range: &Range, steps: usize) -> Option<Self> {
+        Some(Self {
+            last: range.last_step::<S>(steps)?,
+            update: update.try_map(S::weight)?,
+            eps: (S::narrow(item.eps.numer())?, S::narrow(item.eps.denom())?),
+        })
     }
 
-    fn new(item: &Item, update: &Update, range: &Range, steps: usize) -> Self {
-        let ready = || {
-            let last = range.last_step::<S>(steps)?;
-            // Weights that are themselves too large leave the work to wider integers.
-            let update = update.try_map(|x| S::narrow(x).ok_or(())).ok()?;
-            let weight = (S::narrow(item.eps.numer())?, S::narrow(item.eps.denom())?);
-            Some((update, weight, last))
+    /// The window of step 0 for a start.
+    fn begin(&self, of: &Exhaust, start: Vec<S>) -> Window<S> {
+        let setting = Setting {
+            min: S::from_i64(0),
+            max: S::from_i64(of.length),
+            eps_num: self.eps.0.clone(),
+            eps_den: self.eps.1.clone(),
         };
-        Self { ready: ready() }
+        Window::new(setting, start, of.span, &self.update)
     }
 
-    /// Asks for every step from `next` on that these integers hold, and answers with the
-    /// window of the last and the step after it. The window begun with is what narrower
-    /// integers have left behind, or else that of step 0, drone i being at `start(i)`.
-    #[inline(always)]
-    fn run<Sh: Shape>(
-        &self,
-        of: &Exhaust<Sh>,
-        before: Option<Window<S, Sh::Of<S>>>,
-        start: impl Fn(usize) -> S,
-        next: &mut usize,
-        mut ask: impl FnMut(&Window<S, Sh::Of<S>>, usize),
-    ) -> Option<Window<S, Sh::Of<S>>> {
-        let (update, (num, den), last) = self.ready.as_ref()?;
-        let mut window = match before {
-            Some(window) => window,
-            None => {
-                let setting = Setting {
-                    min: S::from_i64(0),
-                    max: S::from_i64(of.length),
-                    eps_num: num.clone(),
-                    eps_den: den.clone(),
-                };
-                Window::new(setting, Sh::build(of.count, start), of.span, update)
-            }
-        };
-        for k in *next..=*last {
-            if k > 0 {
-                window.advance(update);
-            }
-            ask(&window, k);
-        }
-        *next = (*next).max(last + 1);
-        Some(window)
+    /// What narrower integers have left behind.
+    fn take_over<T: Machine>(&self, before: &Window<T>, widened: impl Fn(&T) -> S) -> Window<S> {
+        before.map((&self.eps.0, &self.eps.1), widened)
+    }
+
+    /// Asks for every step from `next` on that these integers hold; the window is that of
+    /// step 0 or of the step before `next`.
+    fn run(&self, window: &mut Window<S>, next: &mut usize, ask: impl FnMut(&Window<S>, usize)) {
+        let steps = *next..=self.last;
+        *next = (*next).max(self.last + 1);
+        let task = Steps { update: &self.update, window, steps, ask };
+        if S::VECTOR { widest(task) } else { task.run() }
     }
 }
 
-impl<Sh: Shape> Exhaust<Sh> {
+/// Steps and what is asked at each of them, for the vectors that the machine has.
+struct Steps<'a, S: Machine, A> {
+    update: &'a Update<S::Weight>,
+    window: &'a mut Window<S>,
+    steps: RangeInclusive<usize>,
+    ask: A,
+}
+
+impl<S: Machine, A: FnMut(&Window<S>, usize)> Task for Steps<'_, S, A> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(mut self) {
+        for k in self.steps {
+            if k > 0 {
+                self.window.advance(self.update);
+            }
+            (self.ask)(self.window, k);
+        }
+    }
+}
+
+impl Exhaust {
     /// Prepares a work item for the steps `0 ..= steps` and for starts on a segment of the
     /// given length (integers from 0 to `length`).
     pub fn new(item: &Item, steps: usize, length: i64) -> Self {
@@ -169,57 +172,134 @@ impl<Sh: Shape> Exhaust<Sh> {
             span: theorem.span(form, count),
             length,
             narrow: Stage::new(item, &update, &range, steps),
+            exact: Stage::new(item, &update, &range, steps),
             plain: Stage::new(item, &update, &range, steps),
             double: Stage::new(item, &update, &range, steps),
             wide: Stage::new(item, &update, &range, steps),
             big: Stage::new(item, &update, &range, steps),
-            shape: std::marker::PhantomData,
         }
     }
 
-    /// What the theorem says of one lane of a window, where it does not say the same of all.
+    /// The last step that each kind of integers runs, from narrow to big; `None` where it runs
+    /// none.
+    pub fn last_steps(&self) -> [Option<usize>; 6] {
+        fn last<S: Machine>(stage: &Option<Stage<S>>) -> Option<usize> {
+            stage.as_ref().map(|stage| stage.last)
+        }
+        [
+            last(&self.narrow),
+            last(&self.exact),
+            last(&self.plain),
+            last(&self.double),
+            last(&self.wide),
+            last(&self.big),
+        ]
+    }
+
+    /// Tries the starts of a batch that the theorem's start set contains: every step from 0 to
+    /// the last.
+    fn run(&self, batch: &mut Batch, tally: &mut Tally) {
+        if batch.filled == 0 {
+            return;
+        }
+        batch.pad();
+        // What is admitted in every lane is admitted; one by one where lanes cannot tell.
+        if !(self.plain.is_some() && self.admitting(batch.lanes::<i64>())) {
+            batch.retain(|start| self.admitting(start.iter().map(|x| i128::from(*x)).collect()));
+        }
+        if batch.filled == 0 {
+            return;
+        }
+        let total = batch.times[..batch.filled].iter().sum::<u64>();
+        tally.counts.starts += total;
+        tally.counts.updates += (batch.filled * self.count * (self.steps + self.span)) as u64;
+        let (mut next, mut start) = (0, Vec::new());
+        macro_rules! stage {
+            ($stage:ident, $t:ty, $before:expr, $widened:expr) => {{
+                let mut window = None;
+                if let Some(stage) = &self.$stage {
+                    let now = window.insert(match $before {
+                        Some(before) => stage.take_over(before, $widened),
+                        None => stage.begin(self, batch.lanes::<$t>()),
+                    });
+                    stage.run(now, &mut next, |window, k| {
+                        match window.verdict(self.theorem, self.form) {
+                            same @ (Verdict::Holds | Verdict::Vacuous) => {
+                                tally.add(same, k, &[], total)
+                            }
+                            _ => self.apart(window, k, batch, &mut start, tally),
+                        }
+                    });
+                    if next > self.steps {
+                        return;
+                    }
+                }
+                window
+            }};
+        }
+        let narrow = stage!(narrow, i32, None::<&Window<Lanes<i32>>>, |x: &Lanes<i32>| *x);
+        let exact = stage!(exact, f64, narrow.as_ref(), |x: &Lanes<i32>| Lanes(x.0.map(f64::from)));
+        let plain = stage!(plain, i64, exact.as_ref(), |x: &Lanes<f64>| Lanes(x.0.map(f64::whole)));
+        for l in 0..batch.filled {
+            batch.start(l, &mut start);
+            let before = plain.as_ref().map(|window| lane(window, l));
+            self.beyond(before, (&start, batch.times[l]), next, tally);
+        }
+    }
+
+    /// What the theorem says of each lane of a window, where it does not say the same of all.
     #[cold]
-    fn one<T: Ordered + Copy + Send + Sync>(
+    fn apart<T: Number>(
         &self,
-        window: &Window<Lanes<T>, Sh::Of<Lanes<T>>>,
-        l: usize,
-    ) -> Verdict {
-        lane::<Sh, T>(window, l).verdict(self.theorem, self.form)
+        window: &Window<Lanes<T>>,
+        k: usize,
+        batch: &Batch,
+        start: &mut Vec<i64>,
+        tally: &mut Tally,
+    ) where
+        Lanes<T>: Machine,
+    {
+        for l in 0..batch.filled {
+            batch.start(l, start);
+            let verdict = lane(window, l).verdict(self.theorem, self.form);
+            tally.add(verdict, k, start, batch.times[l]);
+        }
     }
 
     /// The steps of a start beyond those of lanes.
     fn beyond(
         &self,
-        before: Option<Window<i64, Sh::Of<i64>>>,
+        before: Option<Window<i128>>,
         (start, times): (&[i64], u64),
         mut next: usize,
         tally: &mut Tally,
     ) {
         macro_rules! stage {
-            ($stage:ident, $t:ty, $before:expr) => {{
-                let at = |i: usize| <$t>::from_i64(start[i]);
-                let ask = |window: &Window<$t, Sh::Of<$t>>, k| {
-                    tally.add(window.verdict(self.theorem, self.form), k, start, times);
-                };
-                let window = self.$stage.run(self, $before, at, &mut next, ask);
-                if next > self.steps {
-                    return;
+            ($stage:ident, $before:expr, $widened:expr) => {{
+                let mut window = None;
+                if let Some(stage) = &self.$stage {
+                    let now = window.insert(match $before {
+                        Some(before) => stage.take_over(before, $widened),
+                        None => stage.begin(self, start.iter().map(|x| (*x).into()).collect()),
+                    });
+                    stage.run(now, &mut next, |window, k| {
+                        tally.add(window.verdict(self.theorem, self.form), k, start, times);
+                    });
+                    if next > self.steps {
+                        return;
+                    }
                 }
                 window
             }};
         }
-        let double = stage!(double, i128, self.double.take_over::<Sh, i64>(before));
-        let wide = stage!(wide, Wide, self.wide.take_over::<Sh, i128>(double));
-        stage!(big, BigInt, self.big.take_over::<Sh, Wide>(wide));
+        let double = stage!(double, before.as_ref(), |x: &i128| *x);
+        let wide = stage!(wide, double.as_ref(), |x: &i128| x.into());
+        stage!(big, wide.as_ref(), |x: &Wide| x.into());
     }
 
-    /// Whether the hypothesis admits the start.
-    fn admits(&self, start: &[i64]) -> bool {
-        // Start predicates multiply by N-1 at most: 128 bits hold that with room to spare.
-        self.admitting(Sh::build(start.len(), |i| i128::from(start[i])))
-    }
-
-    fn admitting<S: Machine>(&self, start: Sh::Of<S>) -> bool {
+    /// Whether the hypothesis admits the start. Start predicates multiply by N-1 at most: 128
+    /// bits hold that with room to spare.
+    fn admitting<S: Machine>(&self, start: Vec<S>) -> bool {
         let setting = Setting {
             min: S::from_i64(0),
             max: S::from_i64(self.length),
@@ -227,128 +307,83 @@ impl<Sh: Shape> Exhaust<Sh> {
             eps_den: S::from_i64(1),
         };
         let starts = self.theorem.hypothesis(self.form).starts;
-        starts.contains(&setting, start.as_ref()) == Truth::True
-    }
-
-    /// The last step that each kind of integers runs, from narrow to big; `None` where it runs
-    /// none.
-    pub fn last_steps(&self) -> [Option<usize>; 5] {
-        [
-            self.narrow.ready.as_ref().map(|r| r.2),
-            self.plain.ready.as_ref().map(|r| r.2),
-            self.double.ready.as_ref().map(|r| r.2),
-            self.wide.ready.as_ref().map(|r| r.2),
-            self.big.ready.as_ref().map(|r| r.2),
-        ]
-    }
-}
-
-/// A work item whose number of drones has been turned into a type.
-pub trait Engine: Sync {
-    /// Tries the starts of a batch that the theorem's start set contains: every step from 0 to
-    /// the last.
-    fn run(&self, batch: &mut Batch, tally: &mut Tally);
-}
-
-impl<Sh: Shape> Engine for Exhaust<Sh> {
-    fn run(&self, batch: &mut Batch, tally: &mut Tally) {
-        // What is admitted in every lane is admitted; one by one where lanes cannot tell.
-        let lanes = self.plain.ready.is_some() && !batch.is_empty();
-        if !(lanes && self.admitting(Sh::build(self.count, |i| batch.lanes(i, |x| x)))) {
-            batch.retain(|start| self.admits(start));
-        }
-        if batch.is_empty() {
-            return;
-        }
-        let total = batch.times.iter().sum::<u64>();
-        tally.counts.starts += total;
-        tally.counts.updates += (batch.times.len() * self.count * (self.steps + self.span)) as u64;
-        let mut next = 0;
-        macro_rules! stage {
-            ($stage:ident, $t:ty, $before:expr) => {{
-                let at = |i: usize| batch.lanes(i, |x| x as $t);
-                let ask = |window: &Window<Lanes<$t>, Sh::Of<Lanes<$t>>>, k| match window
-                    .verdict(self.theorem, self.form)
-                {
-                    same @ (Verdict::Holds | Verdict::Vacuous) => tally.add(same, k, &[], total),
-                    _ => {
-                        for (l, (start, times)) in batch.each().enumerate() {
-                            tally.add(self.one(window, l), k, start, times);
-                        }
-                    }
-                };
-                let window = self.$stage.run(self, $before, at, &mut next, ask);
-                if next > self.steps {
-                    return;
-                }
-                window
-            }};
-        }
-        let narrow = stage!(narrow, i32, None);
-        let plain = stage!(plain, i64, self.plain.take_over::<Sh, Lanes<i32>>(narrow));
-        for (l, case) in batch.each().enumerate() {
-            self.beyond(plain.as_ref().map(|window| lane::<Sh, i64>(window, l)), case, next, tally);
-        }
+        starts.contains(&setting, &start) == Truth::True
     }
 }
 
 /// One lane of a window.
-fn lane<Sh: Shape, T: Copy + Send + Sync>(
-    window: &Window<Lanes<T>, Sh::Of<Lanes<T>>>,
-    l: usize,
-) -> Window<T, Sh::Of<T>> {
-    let Setting { min, max, eps_num, eps_den } = &window.setting;
-    let [min, max, eps_num, eps_den] = [min, max, eps_num, eps_den].map(|x| x.0[l]);
-    let of = |m: &Sh::Of<Lanes<T>>| Sh::build(m.as_ref().len(), |i| m.as_ref()[i].0[l]);
-    Window {
-        setting: Setting { min, max, eps_num, eps_den },
-        run: window.run.iter().map(of).collect(),
-    }
+fn lane<T: Number>(window: &Window<Lanes<T>>, l: usize) -> Window<i128>
+where
+    Lanes<T>: Machine,
+{
+    let of = |x: &Lanes<T>| i128::from(x.0[l].whole());
+    let Setting { eps_num, eps_den, .. } = &window.setting;
+    window.map((&of(eps_num), &of(eps_den)), of)
 }
 
 /// Starts that are run at once, at most [`LANES`].
-#[derive(Debug, Default)]
-pub struct Batch {
-    /// Positions, start after start.
-    places: Vec<i64>,
+#[derive(Debug)]
+struct Batch {
+    /// Where each drone is, in each start.
+    places: Vec<[i64; LANES]>,
     /// How many starts each stands for.
-    times: Vec<u64>,
+    times: [u64; LANES],
+    /// How many starts there are.
+    filled: usize,
 }
 
 impl Batch {
-    fn is_empty(&self) -> bool {
-        self.times.is_empty()
+    fn new(count: usize) -> Self {
+        Self { places: vec![[0; LANES]; count], times: [0; LANES], filled: 0 }
     }
 
-    fn count(&self) -> usize {
-        self.places.len() / self.times.len().max(1)
-    }
-
-    /// The starts, and how many each stands for.
-    fn each(&self) -> impl Iterator<Item = (&[i64], u64)> {
-        self.places.chunks_exact(self.count().max(1)).zip(self.times.iter().copied())
-    }
-
-    /// Where drone `i` is in each start; lanes without a start repeat the last one.
-    #[inline(always)]
-    fn lanes<T>(&self, i: usize, number: impl Fn(i64) -> T) -> Lanes<T> {
-        let (count, last) = (self.count(), self.times.len() - 1);
-        Lanes(std::array::from_fn(|l| number(self.places[l.min(last) * count + i])))
-    }
-
-    fn retain(&mut self, admitted: impl Fn(&[i64]) -> bool) {
-        let mut kept = Self::default();
-        for (start, times) in self.each().filter(|(start, _)| admitted(start)) {
-            kept.places.extend_from_slice(start);
-            kept.times.push(times);
+    /// Adds a start, which stands for `times`; there is room.
+    fn push(&mut self, start: &[i64], times: u64) {
+        for (place, x) in self.places.iter_mut().zip(start) {
+            place[self.filled] = *x;
         }
-        *self = kept;
+        self.times[self.filled] = times;
+        self.filled += 1;
+    }
+
+    /// The start of a lane.
+    fn start(&self, l: usize, start: &mut Vec<i64>) {
+        start.clear();
+        start.extend(self.places.iter().map(|place| place[l]));
+    }
+
+    /// Lanes without a start repeat the last one.
+    fn pad(&mut self) {
+        for place in &mut self.places {
+            let last = place[self.filled - 1];
+            place[self.filled..].fill(last);
+        }
+    }
+
+    /// Where each drone is.
+    fn lanes<T: Number>(&self) -> Vec<Lanes<T>> {
+        self.places.iter().map(|place| Lanes(place.map(T::of))).collect()
+    }
+
+    /// Keeps the starts that are admitted.
+    fn retain(&mut self, admitted: impl Fn(&[i64]) -> bool) {
+        let (all, mut start) = (self.filled, Vec::new());
+        self.filled = 0;
+        for l in 0..all {
+            self.start(l, &mut start);
+            if admitted(&start) {
+                self.push(&start, self.times[l]);
+            }
+        }
+        if self.filled > 0 {
+            self.pad();
+        }
     }
 }
 
 /// Starts of a work item on their way through its engine, and what they came to.
 pub struct Trial<'e> {
-    engine: &'e dyn Engine,
+    engine: &'e Exhaust,
     /// Whether of a mirror pair of starts only the smaller is run, and counted twice.
     mirrored: bool,
     batch: Batch,
@@ -357,26 +392,24 @@ pub struct Trial<'e> {
 
 impl<'e> Trial<'e> {
     /// No start so far.
-    pub fn new(engine: &'e dyn Engine, mirrored: bool) -> Self {
-        Self { engine, mirrored, batch: Batch::default(), tally: Tally::default() }
+    pub fn new(engine: &'e Exhaust, mirrored: bool) -> Self {
+        Self { engine, mirrored, batch: Batch::new(engine.count), tally: Tally::default() }
     }
 
     /// Tries one start, now or later.
     pub fn start(&mut self, start: &[i64]) {
         let times = if self.mirrored { Grid::mirror_weight(start) } else { 1 };
         if times > 0 {
-            self.batch.places.extend_from_slice(start);
-            self.batch.times.push(times);
+            self.batch.push(start, times);
         }
-        if self.batch.times.len() == LANES {
+        if self.batch.filled == LANES {
             self.run();
         }
     }
 
     fn run(&mut self) {
         self.engine.run(&mut self.batch, &mut self.tally);
-        self.batch.places.clear();
-        self.batch.times.clear();
+        self.batch.filled = 0;
     }
 
     /// What all starts so far that have been run came to.
@@ -396,18 +429,5 @@ impl<'e> Trial<'e> {
             self.start(start);
             true
         });
-    }
-}
-
-/// The engine for a work item's number of drones: arrays for the usual few, vectors beyond.
-pub fn engine(item: &Item, steps: usize, length: i64) -> Box<dyn Engine> {
-    match item.drones {
-        3 => Box::new(Exhaust::<Fixed<3>>::new(item, steps, length)),
-        4 => Box::new(Exhaust::<Fixed<4>>::new(item, steps, length)),
-        5 => Box::new(Exhaust::<Fixed<5>>::new(item, steps, length)),
-        6 => Box::new(Exhaust::<Fixed<6>>::new(item, steps, length)),
-        7 => Box::new(Exhaust::<Fixed<7>>::new(item, steps, length)),
-        8 => Box::new(Exhaust::<Fixed<8>>::new(item, steps, length)),
-        _ => Box::new(Exhaust::<Dynamic>::new(item, steps, length)),
     }
 }

@@ -5,85 +5,67 @@
 //! nothing is ever divided. Going from k to k+1 steps the last placement and multiplies the
 //! others: no placement is computed twice, none is allocated.
 
-use std::mem::replace;
+use std::mem::swap;
 
 use cordon_spec::theorems::{Form, Setting, Theorem, Verdict};
-use cordon_spec::{DroneMap, Scalar};
-
 use num_bigint::BigInt;
 use num_traits::Zero;
 
-use super::machine::Widened;
+use super::machine::Machine;
 use cordon_core::stencil::{Role, Stencil, Weights};
 
-/// Storage for the positions of one placement: an array where N is known to the compiler, a
-/// vector otherwise.
-pub trait Shape {
-    /// A placement of scalars `S`.
-    type Of<S: Clone + Send + Sync>: DroneMap<S> + AsMut<[S]> + Clone + Send + Sync;
-
-    /// A placement of `count` drones, drone i at `f(i)`.
-    fn build<S: Clone + Send + Sync>(count: usize, f: impl FnMut(usize) -> S) -> Self::Of<S>;
-}
-
-/// N drones, N known to the compiler; `count` is N.
-pub struct Fixed<const N: usize>;
-
-impl<const N: usize> Shape for Fixed<N> {
-    type Of<S: Clone + Send + Sync> = [S; N];
-
-    fn build<S: Clone + Send + Sync>(_count: usize, f: impl FnMut(usize) -> S) -> [S; N] {
-        std::array::from_fn(f)
-    }
-}
-
-/// Any number of drones.
-pub struct Dynamic;
-
-impl Shape for Dynamic {
-    type Of<S: Clone + Send + Sync> = Vec<S>;
-
-    fn build<S: Clone + Send + Sync>(count: usize, f: impl FnMut(usize) -> S) -> Vec<S> {
-        (0..count).map(f).collect()
-    }
-}
-
-/// The weights of a [`Stencil`] that are not 0.
+/// The weights of a [`Stencil`]; those that are 0 are left out where that saves work.
 #[derive(Clone, Debug)]
-pub struct Update<S = BigInt> {
+pub struct Update<W = BigInt> {
     /// The common denominator.
-    pub den: S,
-    /// Of drone 0, of every drone between, of drone N-1.
-    roles: [Weights<Option<S>>; 3],
+    pub den: W,
+    /// Of drone 0 and of drone N-1.
+    outer: [Weights<Option<W>>; 2],
+    /// Of every drone between: of the drone before, its own, of the drone after.
+    near: [W; 3],
+    /// Of every drone between: of the segment's ends.
+    far: [Option<W>; 2],
 }
 
 impl Update {
     /// The weights of a stencil.
     pub fn of(stencil: &Stencil) -> Self {
         let other = |w: &BigInt| (!w.is_zero()).then(|| w.clone());
-        let roles = Role::ALL.map(|role| stencil.weights(role).map(other));
-        Self { den: stencil.den.clone(), roles }
+        let Weights { min, max, prec, own, foll } = stencil.weights(Role::Internal);
+        Self {
+            den: stencil.den.clone(),
+            outer: [Role::First, Role::Last].map(|role| stencil.weights(role).map(other)),
+            near: [prec, own, foll].map(Clone::clone),
+            far: [min, max].map(other),
+        }
     }
 
-    /// The same weights as numbers of another kind.
-    ///
-    /// # Errors
-    /// The first that `f` reports.
-    pub fn try_map<U, E>(&self, f: impl Fn(&BigInt) -> Result<U, E>) -> Result<Update<U>, E> {
-        let role = |w: &Weights<Option<BigInt>>| w.try_map(|w| w.as_ref().map(&f).transpose());
-        let [first, internal, last] = &self.roles;
-        let roles = [role(first)?, role(internal)?, role(last)?];
-        Ok(Update { den: f(&self.den)?, roles })
+    /// The same weights as numbers of another kind; `None` where `f` has none for one of them.
+    pub fn try_map<U>(&self, f: impl Fn(&BigInt) -> Option<U>) -> Option<Update<U>> {
+        let other = |w: &Option<BigInt>| match w {
+            Some(w) => f(w).map(Some),
+            None => Some(None),
+        };
+        let outer = |w: &Weights<Option<BigInt>>| w.try_map(|w| other(w).ok_or(())).ok();
+        let [first, last] = &self.outer;
+        let [prec, own, foll] = &self.near;
+        let [min, max] = &self.far;
+        Some(Update {
+            den: f(&self.den)?,
+            outer: [outer(first)?, outer(last)?],
+            near: [f(prec)?, f(own)?, f(foll)?],
+            far: [other(min)?, other(max)?],
+        })
     }
 }
 
-/// The sum of weights times positions.
+/// The sum of weights times positions, of those weights that there are.
 #[inline(always)]
-fn weighted<S: Scalar, const T: usize>(terms: [(&Option<S>, &S); T]) -> Option<S> {
+fn weighted<S: Machine, const T: usize>(terms: [(&Option<S::Weight>, &S); T]) -> Option<S> {
     let mut sum: Option<S> = None;
     for (weight, x) in terms {
         let Some(weight) = weight else { continue };
-        let term = weight.clone() * x;
+        let term = S::weigh([(weight, x)]);
         sum = Some(match sum {
             Some(sum) => sum + &term,
             None => term,
@@ -92,118 +74,105 @@ fn weighted<S: Scalar, const T: usize>(terms: [(&Option<S>, &S); T]) -> Option<S
     sum
 }
 
-/// One protocol step of the placement `x`, the result over `den` times the denominator that
-/// `x`, `min` and `max` have. Every drone reads old positions only.
+/// The next position of a drone at an end of the line, from the segment's ends and the three
+/// positions near it.
 #[inline(always)]
-pub fn step<S: Scalar>(update: &Update<S>, min: &S, max: &S, x: &mut [S]) {
-    let Some(last) = x.len().checked_sub(1) else { return };
-    let [first, internal, end] = &update.roles;
-    // The same for every internal drone.
-    let ends = weighted([(&internal.min, min), (&internal.max, max)]);
-    let mut prec = min.clone();
-    for i in 0..=last {
-        let next = if i == 0 || i == last {
-            let foll = if i == last { max } else { &x[i + 1] };
-            let w = if i == 0 { first } else { end };
-            weighted([
-                (&w.min, min),
-                (&w.max, max),
-                (&w.prec, &prec),
-                (&w.own, &x[i]),
-                (&w.foll, foll),
-            ])
-        } else {
-            let w = internal;
-            let line = weighted([(&w.prec, &prec), (&w.own, &x[i]), (&w.foll, &x[i + 1])]);
-            match (line, &ends) {
-                (Some(line), Some(ends)) => Some(line + ends),
-                (line, ends) => line.or_else(|| ends.clone()),
-            }
-        };
-        prec = replace(&mut x[i], next.unwrap_or_else(|| S::from_int(0)));
+fn outer<S: Machine>(weights: &Weights<Option<S::Weight>>, x: [&S; 5]) -> S {
+    let [min, max, prec, own, foll] = weights.as_array();
+    let [a, b, c, d, e] = x;
+    let sum = weighted([(min, a), (max, b), (prec, c), (own, d), (foll, e)]);
+    sum.unwrap_or_else(|| S::from_int(0))
+}
+
+/// One protocol step of the placement `x`, written to `next`, over `den` times the denominator
+/// that `x`, `min` and `max` have.
+#[inline(always)]
+pub fn step<S: Machine>(update: &Update<S::Weight>, min: &S, max: &S, x: &[S], next: &mut [S]) {
+    let [prec, own, foll] = &update.near;
+    let internal = next.iter_mut().skip(1).zip(x.windows(3));
+    for (next, near) in internal {
+        if let [before, here, after] = near {
+            *next = S::weigh([(prec, before), (own, here), (foll, after)]);
+        }
+    }
+    let [of_min, of_max] = &update.far;
+    if let (Some(ends), [_, internal @ .., _]) =
+        (weighted([(of_min, min), (of_max, max)]), &mut *next)
+    {
+        internal.iter_mut().for_each(|x| *x = x.clone() + &ends);
+    }
+    let [first, last] = &update.outer;
+    if let ([here, after, ..], Some(next)) = (x, next.first_mut()) {
+        *next = outer(first, [min, max, min, here, after]);
+    }
+    if let ([.., before, here], Some(next)) = (x, next.last_mut()) {
+        *next = outer(last, [min, max, before, here, max]);
     }
 }
 
 /// X^k .. X^{k+span} and the segment over one denominator.
-pub struct Window<S, M> {
+pub struct Window<S> {
     /// The segment over the placements' denominator; the weight as it is.
     pub setting: Setting<S>,
     /// The placements.
-    pub run: Vec<M>,
+    pub run: Vec<Vec<S>>,
+    /// Room for one more.
+    spare: Vec<S>,
 }
 
-impl<S: Scalar + Send + Sync, M: DroneMap<S> + AsMut<[S]> + Clone> Window<S, M> {
+impl<S: Machine> Window<S> {
     /// The window of step 0 for a start in a segment.
-    pub fn new(setting: Setting<S>, start: M, span: usize, update: &Update<S>) -> Self {
-        let mut window = Self { setting, run: Vec::with_capacity(span + 1) };
-        window.run.push(start);
+    pub fn new(
+        setting: Setting<S>,
+        start: Vec<S>,
+        span: usize,
+        update: &Update<S::Weight>,
+    ) -> Self {
+        let mut window = Self { setting, run: vec![start.clone(); span + 1], spare: start };
         for _ in 0..span {
-            if let Some(newest) = window.run.last().cloned() {
-                window.run.push(newest);
-            }
-            window.lift(update);
+            window.advance(update);
         }
         window
     }
 
-    /// From step k to step k+1.
+    /// From step k to step k+1: steps the newest placement, forgets the oldest and brings all
+    /// others to the new denominator.
     #[inline(always)]
-    pub fn advance(&mut self, update: &Update<S>) {
-        let span = self.run.len().saturating_sub(1);
-        for h in 0..span {
-            if let [to, from, ..] = &mut self.run[h..] {
-                to.clone_from(from);
-            }
-        }
-        self.lift(update);
-    }
-
-    /// Steps the newest placement and brings all else to its denominator.
-    #[inline(always)]
-    fn lift(&mut self, update: &Update<S>) {
+    pub fn advance(&mut self, update: &Update<S::Weight>) {
         let Setting { min, max, .. } = &mut self.setting;
         let Some((newest, older)) = self.run.split_last_mut() else { return };
-        step(update, min, max, newest.as_mut());
-        for x in older.iter_mut().flat_map(|m| m.as_mut().iter_mut()) {
-            scale(x, &update.den);
+        step(update, min, max, newest, &mut self.spare);
+        swap(newest, &mut self.spare);
+        if let Some(oldest) = older.first_mut() {
+            swap(oldest, &mut self.spare);
+            older.rotate_left(1);
         }
-        scale(min, &update.den);
-        scale(max, &update.den);
+        let ends = [min, max].into_iter();
+        for x in older.iter_mut().flatten().chain(ends) {
+            *x = S::weigh([(&update.den, x)]);
+        }
     }
 
     /// What a theorem says of this window.
-    pub fn verdict(&self, theorem: Theorem, form: Form) -> Verdict
-    where
-        S: cordon_spec::Ordered,
-    {
+    pub fn verdict(&self, theorem: Theorem, form: Form) -> Verdict {
         theorem.conclusion(form, &self.setting, &self.run)
     }
-}
 
-fn scale<S: Scalar>(x: &mut S, by: &S) {
-    *x = x.clone() * by;
-}
-
-/// The same window on wider integers.
-pub fn widened<Sh: Shape, T, S>(
-    window: &Window<T, Sh::Of<T>>,
-    weight: (&S, &S),
-) -> Window<S, Sh::Of<S>>
-where
-    T: Clone + Send + Sync,
-    S: Widened<T> + Clone + Send + Sync,
-{
-    let convert = |m: &Sh::Of<T>| {
-        let x = m.as_ref();
-        Sh::build(x.len(), |i| S::widened(&x[i]))
-    };
-    Window {
-        setting: Setting {
-            min: S::widened(&window.setting.min),
-            max: S::widened(&window.setting.max),
-            eps_num: weight.0.clone(),
-            eps_den: weight.1.clone(),
-        },
-        run: window.run.iter().map(convert).collect(),
+    /// The same window on other integers, the weight being given in them.
+    pub fn map<T>(&self, weight: (&T, &T), f: impl Fn(&S) -> T) -> Window<T>
+    where
+        T: Clone,
+    {
+        let placement = |x: &Vec<S>| x.iter().map(&f).collect();
+        Window {
+            setting: Setting {
+                min: f(&self.setting.min),
+                max: f(&self.setting.max),
+                eps_num: weight.0.clone(),
+                eps_den: weight.1.clone(),
+            },
+            run: self.run.iter().map(placement).collect(),
+            spare: placement(&self.spare),
+        }
     }
 }

@@ -1,5 +1,5 @@
 //! Integers of the sweep kernel: fixed widths whose range is proved before they are used (see
-//! [`super::range`]), 32 and 64 bits for several starts at once ([`super::lanes`]), and big
+//! [`super::range`]), up to 64 bits for several starts at once ([`super::lanes`]), and big
 //! integers beyond.
 
 use std::cmp::Ordering;
@@ -14,25 +14,51 @@ pub trait Machine: Ordered + Send + Sync {
     /// Largest number of bits that a magnitude may have; `None` where there is no limit.
     const MAGNITUDE_BITS: Option<u64>;
 
+    /// Whether it stands for several starts, which vector instructions serve at once.
+    const VECTOR: bool = false;
+
+    /// A weight of the step: the same for all starts.
+    type Weight: Clone + Send + Sync;
+
     /// The number; the range of what is passed is proved.
     fn from_i64(x: i64) -> Self;
 
     /// The number, where it is in range.
     fn narrow(x: &BigInt) -> Option<Self>;
+
+    /// The weight, where it is in range.
+    fn weight(x: &BigInt) -> Option<Self::Weight>;
+
+    /// The sum of weights times positions.
+    fn weigh<const T: usize>(terms: [(&Self::Weight, &Self); T]) -> Self;
 }
 
-/// A machine integer that holds every value of a narrower one.
-pub trait Widened<Narrow> {
-    /// The same number.
-    fn widened(x: &Narrow) -> Self;
+/// A number for one start, whose weights are such numbers.
+macro_rules! single {
+    () => {
+        type Weight = Self;
+
+        fn from_i64(x: i64) -> Self {
+            x.into()
+        }
+
+        fn weight(x: &BigInt) -> Option<Self> {
+            Self::narrow(x)
+        }
+
+        #[inline(always)]
+        fn weigh<const T: usize>(terms: [(&Self, &Self); T]) -> Self {
+            let mut terms = terms.into_iter().map(|(w, x)| w.clone() * x);
+            let first = terms.next().unwrap_or_else(|| Self::from_int(0));
+            terms.fold(first, |sum, term| sum + &term)
+        }
+    };
 }
 
 impl Machine for i128 {
     const MAGNITUDE_BITS: Option<u64> = Some(127);
 
-    fn from_i64(x: i64) -> Self {
-        x.into()
-    }
+    single!();
 
     fn narrow(x: &BigInt) -> Option<Self> {
         Self::try_from(x).ok()
@@ -42,9 +68,7 @@ impl Machine for i128 {
 impl Machine for BigInt {
     const MAGNITUDE_BITS: Option<u64> = None;
 
-    fn from_i64(x: i64) -> Self {
-        x.into()
-    }
+    single!();
 
     fn narrow(x: &BigInt) -> Option<Self> {
         Some(x.clone())
@@ -54,6 +78,12 @@ impl Machine for BigInt {
 /// A signed integer of 256 bits: enough for squared errors over q^k up to q = 12, k = 30.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wide(I256);
+
+impl From<i64> for Wide {
+    fn from(x: i64) -> Self {
+        Self(x.into())
+    }
+}
 
 impl Add<&Self> for Wide {
     type Output = Self;
@@ -94,9 +124,7 @@ impl Ordered for Wide {
 impl Machine for Wide {
     const MAGNITUDE_BITS: Option<u64> = Some(255);
 
-    fn from_i64(x: i64) -> Self {
-        Self(x.into())
-    }
+    single!();
 
     fn narrow(x: &BigInt) -> Option<Self> {
         let bytes = x.to_signed_bytes_le();
@@ -107,20 +135,14 @@ impl Machine for Wide {
     }
 }
 
-impl Widened<i64> for i128 {
-    fn widened(x: &i64) -> Self {
-        (*x).into()
-    }
-}
-
-impl Widened<i128> for Wide {
-    fn widened(x: &i128) -> Self {
+impl From<&i128> for Wide {
+    fn from(x: &i128) -> Self {
         Self((*x).into())
     }
 }
 
-impl Widened<Wide> for BigInt {
-    fn widened(x: &Wide) -> Self {
+impl From<&Wide> for BigInt {
+    fn from(x: &Wide) -> Self {
         Self::from_signed_bytes_le(&x.0.to_le_bytes())
     }
 }
@@ -136,7 +158,7 @@ mod tests {
         let top: BigInt = BigInt::from(2).pow(255u32) - 1;
         let bottom: BigInt = -BigInt::from(2).pow(255u32);
         for x in [&top, &bottom, &BigInt::one(), &-BigInt::one(), &BigInt::from(-128)] {
-            assert_eq!(Wide::narrow(x).map(|w| BigInt::widened(&w)), Some(x.clone()));
+            assert_eq!(Wide::narrow(x).map(|w| BigInt::from(&w)), Some(x.clone()));
         }
         assert_eq!(Wide::narrow(&(top + 1)), None);
         assert_eq!(Wide::narrow(&(bottom - 1)), None);
@@ -151,9 +173,9 @@ mod tests {
                 let (Some(x), Some(y)) = (Wide::narrow(a), Wide::narrow(b)) else {
                     unreachable!("in range")
                 };
-                assert_eq!(BigInt::widened(&(x + &y)), a + b);
-                assert_eq!(BigInt::widened(&(x - &y)), a - b);
-                assert_eq!(BigInt::widened(&(x * &y)), a * b);
+                assert_eq!(BigInt::from(&(x + &y)), a + b);
+                assert_eq!(BigInt::from(&(x - &y)), a - b);
+                assert_eq!(BigInt::from(&(x * &y)), a * b);
                 assert_eq!(x.compare(&y), Some(a.cmp(b)));
             }
         }

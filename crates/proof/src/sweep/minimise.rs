@@ -1,7 +1,7 @@
 //! The simplest counterexample of a sweep.
 
 use super::config::Item;
-use super::exhaust::{Trial, engine};
+use super::exhaust::{Exhaust, Trial};
 use super::finding::{Finding, Witness};
 use super::grid::Grid;
 use super::range::degree;
@@ -49,13 +49,13 @@ pub fn simplest<'f>(
 fn shortest(item: &Item, found: &Counterexample) -> Option<Counterexample> {
     let longest = i64::try_from(found.start().last()?.to_integer()).ok()?;
     let mut left = match degree(item.theorem) {
-        1 => MOST_UPDATES,
-        _ => MOST_UPDATES_OF_SQUARES,
+        2 => MOST_UPDATES_OF_SQUARES,
+        _ => MOST_UPDATES,
     };
     for length in 1..=longest {
         let grid = Grid::of_length(starts(item), item.drones, length)?;
-        let engine = engine(item, found.step, length);
-        let mut trial = Trial::new(&*engine, Grid::mirrored(item.theorem, starts(item)));
+        let engine = Exhaust::new(item, found.step, length);
+        let mut trial = Trial::new(&engine, Grid::mirrored(item.theorem, starts(item)));
         grid.for_each(&grid.whole(), |start| {
             trial.start(start);
             trial.so_far().counts.updates < left

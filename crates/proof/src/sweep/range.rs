@@ -9,8 +9,9 @@
 //!
 //! What the predicates of `cordon_spec` compute from such numbers:
 //!
+//! * 7.2 compares positions, and computes nothing: V.
 //! * (N-1) T_i is at most 3(N-1) V, errors times N-1 at most 4(N-1) V, doubled sums at most
-//!   2N V: all within 4N V.
+//!   2N V: all within 4N V. So are the start predicates, at step 0: within 4N G.
 //! * 7.8 squares errors (`degree` is 2): N squares of at most (4(N-1) V)^2, within
 //!   16 N^3 V^2; its rate multiplies an error by (N-1)^2 den + 8|num| and by a contraction
 //!   weight of at most N^2: within 4N V * N^2 * (N^2 den + 8|num|).
@@ -26,10 +27,14 @@ use cordon_core::Rational;
 use cordon_core::stencil::{Role, Stencil};
 use cordon_spec::theorems::{Form, Theorem};
 
-/// The largest power of the positions' size that the conclusion of a theorem computes: 1, or 2
-/// where it squares errors.
+/// The largest power of the positions' size that the conclusion of a theorem computes: 0 where
+/// it computes nothing, 2 where it squares errors, 1 otherwise.
 pub(super) fn degree(theorem: Theorem) -> u32 {
-    if theorem == Theorem::Limit { 2 } else { 1 }
+    match theorem {
+        Theorem::Ordering => 0,
+        Theorem::Limit => 2,
+        _ => 1,
+    }
 }
 
 /// What bounds the numbers of one work item.
@@ -74,8 +79,10 @@ impl Range {
         let value = &self.length * Pow::pow(&self.growth, k + self.span);
         let n = &self.count;
         let linear = n * 4u8 * &value;
-        if self.degree < 2 {
-            return linear;
+        match self.degree {
+            0 => return value.max(n * 4u8 * &self.length),
+            1 => return linear,
+            _ => {}
         }
         let squares = n * n * n * 16u8 * &value * &value;
         let (num, den) = &self.eps;

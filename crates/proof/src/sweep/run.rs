@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use super::complete::complete;
 use super::config::{Config, Item, StartSpace};
-use super::exhaust::{Tally, Trial, engine};
+use super::exhaust::{Exhaust, Tally, Trial};
 use super::finding::{Finding, Witness};
 use super::grid::Grid;
 use super::sample::{PIECE, sample};
@@ -136,13 +136,13 @@ fn find(config: &Config, item: &Item, progress: &Progress) -> Result<Finding> {
         }
         StartSpace::Grid { resolution } => {
             let grid = grid(item, resolution)?;
-            let engine = engine(item, config.steps, grid.length);
+            let engine = Exhaust::new(item, config.steps, grid.length);
             let mirrored = Grid::mirrored(item.theorem, starts(item));
             let pieces = grid.pieces();
             let tally = pieces
                 .par_chunks(pieces.len().div_ceil(SHARES))
                 .map(|pieces| {
-                    let mut trial = Trial::new(&*engine, mirrored);
+                    let mut trial = Trial::new(&engine, mirrored);
                     pieces.iter().for_each(|piece| trial.sweep(&grid, piece));
                     done(trial.end())
                 })
@@ -151,10 +151,10 @@ fn find(config: &Config, item: &Item, progress: &Progress) -> Result<Finding> {
         }
         StartSpace::Sample { resolution, samples, seed } => {
             let grid = grid(item, resolution)?;
-            let engine = engine(item, config.steps, grid.length);
+            let engine = Exhaust::new(item, config.steps, grid.length);
             let tally = (0..samples.div_ceil(PIECE))
                 .into_par_iter()
-                .map(|piece| done(sample(&*engine, &grid, samples, piece, seed, item.number)))
+                .map(|piece| done(sample(&engine, &grid, samples, piece, seed, item.number)))
                 .reduce(Tally::default, Tally::merge);
             finding(item, Evidence::Sampled, &grid, &tally)
         }

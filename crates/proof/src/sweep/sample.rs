@@ -1,6 +1,6 @@
 //! Random starts of a grid, for grids too large to exhaust.
 
-use super::exhaust::{Engine, Tally, Trial};
+use super::exhaust::{Exhaust, Tally, Trial};
 use super::grid::Grid;
 use cordon_core::random::SplitMix;
 
@@ -11,7 +11,7 @@ pub const PIECE: u64 = 1024;
 /// Tries the draws of one piece of a work item: those numbered `piece * PIECE` and up, below
 /// `samples`. Every start of the grid is equally likely in every draw.
 pub fn sample(
-    engine: &dyn Engine,
+    engine: &Exhaust,
     grid: &Grid,
     samples: u64,
     piece: u64,

@@ -104,9 +104,9 @@ pub fn imbalance(parts: &[Part]) -> String {
     format!("{}.{:02}", &hundredths / 100u8, hundredths % 100u8)
 }
 
-/// What a drone update costs on integers of 64, 128 and 256 bits and on big ones, measured
+/// What a drone update costs on integers of 53, 64, 128 and 256 bits and on big ones, measured
 /// against one of 32 bits (`cargo bench --bench sweep`).
-const DEARER: [u64; 4] = [2, 12, 60, 300];
+const DEARER: [u64; 5] = [2, 3, 12, 60, 300];
 
 /// About what an item costs.
 fn cost(config: &Config, item: &Item) -> Result<BigUint> {
@@ -127,6 +127,7 @@ fn cost(config: &Config, item: &Item) -> Result<BigUint> {
     let last = config.steps;
     let held = [
         range.last_step::<Lanes<i32>>(last),
+        range.last_step::<Lanes<f64>>(last),
         range.last_step::<Lanes<i64>>(last),
         range.last_step::<i128>(last),
         range.last_step::<Wide>(last),

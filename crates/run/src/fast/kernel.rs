@@ -208,6 +208,13 @@ impl Kernel {
         both
     }
 
+    /// The steps of this power twice.
+    pub fn twice(&self, by: &dyn Multiply) -> Self {
+        let mut both = self.clone();
+        both.multiply(None, by);
+        both
+    }
+
     /// Multiplies by another power, or by itself.
     fn multiply(&mut self, other: Option<&Self>, by: &dyn Multiply) {
         let k = self.k + other.map_or(self.k, |o| o.k);

@@ -194,16 +194,25 @@ impl Transform {
         Self { field, length, three: !length.is_power_of_two() }
     }
 
-    /// How many twiddle factors its tree has: half its leaves, and what the first pass of a
-    /// length of 3*2^a needs.
+    /// How many twiddle factors are kept: those of every depth but the last, which has as many
+    /// again; and what the first pass of a length of 3*2^a needs.
     fn nodes(&self) -> usize {
-        (self.length / 2).max(2)
+        (self.length.next_power_of_two() / 4).max(2)
+    }
+
+    /// What the twiddle factor of a node beyond those kept is more than that of the node as
+    /// many before it as are kept.
+    fn beyond(&self, inverse: bool) -> Factor {
+        let f = self.field;
+        let root = f.root(self.nodes().trailing_zeros() + 2);
+        f.factor(if inverse { f.inverse(root) } else { root })
     }
 
     /// The values of a polynomial at the leaves; residues below 4p before and after.
     fn forward(&self, x: &mut [u64], table: &[Factor]) {
+        let turn = self.beyond(false);
         if !self.three {
-            return self.forward_node(x, 0, table);
+            return self.forward_node(x, 0, table, turn);
         }
         let f = self.field;
         let quarter = self.length / 3;
@@ -217,22 +226,29 @@ impl Transform {
             *c = f.below_2p(x + 2 * f.p - y) + turned;
         }
         let (pair, single) = x.split_at_mut(2 * quarter);
-        self.forward_node(pair, 0, table);
-        self.forward_node(single, 2, table);
+        self.forward_node(pair, 0, table, turn);
+        self.forward_node(single, 2, table, turn);
     }
 
-    fn forward_node(&self, x: &mut [u64], node: usize, table: &[Factor]) {
+    fn forward_node(&self, x: &mut [u64], node: usize, table: &[Factor], turn: Factor) {
         if x.len() > BLOCK {
             let (low, high) = x.split_at_mut(x.len() / 2);
             self.reduce_pair(low, high, table[node]);
-            self.forward_node(low, 2 * node, table);
-            self.forward_node(high, 2 * node + 1, table);
+            self.forward_node(low, 2 * node, table, turn);
+            self.forward_node(high, 2 * node + 1, table, turn);
             return;
         }
         let (mut size, mut first) = (x.len(), node);
         while size > 1 {
-            for (segment, &r) in x.chunks_exact_mut(size).zip(&table[first..]) {
+            let (kept, beyond) = kept(x, size, first, table.len());
+            for (segment, &r) in kept.chunks_exact_mut(size).zip(from(table, first)) {
                 let (low, high) = segment.split_at_mut(size / 2);
+                self.reduce_pair(low, high, r);
+            }
+            let before = from(table, first.saturating_sub(table.len()));
+            for (pair, &r) in beyond.chunks_exact_mut(2).zip(before) {
+                let (low, high) = pair.split_at_mut(1);
+                high[0] = self.field.scale(high[0], turn);
                 self.reduce_pair(low, high, r);
             }
             (size, first) = (size / 2, first * 2);
@@ -252,19 +268,20 @@ impl Transform {
     /// The polynomial from its values, times the length of the whole tree (3*2^a: 2^(a+2)).
     /// Residues below 2p before and after.
     fn backward(&self, x: &mut [u64], table: &[Factor]) {
+        let turn = self.beyond(true);
         if !self.three {
-            return self.backward_node(x, 0, table);
+            return self.backward_node(x, 0, table, turn);
         }
         let f = self.field;
         let quarter = self.length / 3;
         let (pair, single) = x.split_at_mut(2 * quarter);
-        self.backward_node(pair, 0, table);
-        self.backward_node(single, 2, table);
+        self.backward_node(pair, 0, table, turn);
+        self.backward_node(single, 2, table, turn);
         let (low, middle) = pair.split_at_mut(quarter);
-        let turn = f.factor(self.field.root(2));
+        let quarter_turn = f.factor(self.field.root(2));
         for ((a, b), c) in low.iter_mut().zip(middle).zip(single) {
             // With a = 2q(a' + c'), b = 2q b', c = q(a' - c' + i b'): 4q a', 4q b', 4q c'.
-            let turned = f.below_2p(f.scale(*b, turn));
+            let turned = f.below_2p(f.scale(*b, quarter_turn));
             let difference = f.below_2p(f.below_2p(2 * *c) + 2 * f.p - turned);
             let sum = *a;
             *a = f.below_2p(sum + difference);
@@ -273,20 +290,27 @@ impl Transform {
         }
     }
 
-    fn backward_node(&self, x: &mut [u64], node: usize, table: &[Factor]) {
+    fn backward_node(&self, x: &mut [u64], node: usize, table: &[Factor], turn: Factor) {
         if x.len() > BLOCK {
             let (low, high) = x.split_at_mut(x.len() / 2);
-            self.backward_node(low, 2 * node, table);
-            self.backward_node(high, 2 * node + 1, table);
+            self.backward_node(low, 2 * node, table, turn);
+            self.backward_node(high, 2 * node + 1, table, turn);
             self.join_pair(low, high, table[node]);
             return;
         }
         let mut size = 2;
         while size <= x.len() {
             let first = node * (x.len() / size);
-            for (segment, &r) in x.chunks_exact_mut(size).zip(&table[first..]) {
+            let (kept, beyond) = kept(x, size, first, table.len());
+            for (segment, &r) in kept.chunks_exact_mut(size).zip(from(table, first)) {
                 let (low, high) = segment.split_at_mut(size / 2);
                 self.join_pair(low, high, r);
+            }
+            let before = from(table, first.saturating_sub(table.len()));
+            for (pair, &r) in beyond.chunks_exact_mut(2).zip(before) {
+                let (low, high) = pair.split_at_mut(1);
+                self.join_pair(low, high, r);
+                high[0] = self.field.scale(high[0], turn);
             }
             size *= 2;
         }
@@ -301,6 +325,16 @@ impl Transform {
             *v = f.scale(x + 2 * f.p - y, inverse);
         }
     }
+}
+
+/// Segments of `size` whose nodes, from `first` on, are among those kept, and those beyond.
+fn kept(x: &mut [u64], size: usize, first: usize, kept: usize) -> (&mut [u64], &mut [u64]) {
+    let nodes = (x.len() / size).min(kept.saturating_sub(first));
+    x.split_at_mut(nodes * size)
+}
+
+fn from(table: &[Factor], first: usize) -> &[Factor] {
+    table.get(first..).unwrap_or_default()
 }
 
 /// The limbs as residues below 2p, followed by zeros.

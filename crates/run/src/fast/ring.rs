@@ -90,29 +90,41 @@ fn moving(line: &Line) -> std::ops::Range<usize> {
 }
 
 fn pairwise(line: &Line, kernel: &Kernel, size: Size) -> Vec<BigInt> {
-    let sources: Vec<_> = line
-        .deviation
-        .iter()
-        .enumerate()
-        .filter(|(_, d)| !d.is_zero())
-        .map(|(j, d)| (j, d.magnitude().to_u64_digits(), d.is_negative()))
-        .collect();
-    let mut pair = vec![0; kernel.stride() + 1];
-    let mut sum = vec![0; size.width()];
+    let sources = Sources::of(line);
     let mut moved = vec![BigInt::zero(); line.count()];
     for i in moving(line) {
-        sum.fill(0);
-        for (j, magnitude, negative) in &sources {
-            let (direct, mirrored) = (i.abs_diff(*j), i + j + image(line.ends));
+        moved[i] = sources.at(i, line.ends, kernel, size.width());
+    }
+    moved
+}
+
+/// The deviations that are not 0.
+pub(super) struct Sources(Vec<(usize, Vec<u64>, bool)>);
+
+impl Sources {
+    /// Those of a line.
+    pub(super) fn of(line: &Line) -> Self {
+        let deviations = line.deviation.iter().enumerate().filter(|(_, d)| !d.is_zero());
+        Self(deviations.map(|(j, d)| (j, d.magnitude().to_u64_digits(), d.is_negative())).collect())
+    }
+
+    /// What one drone that moves comes to: [`convolve`] at place `i`.
+    pub(super) fn one(&self, i: usize, line: &Line, kernel: &Kernel) -> BigInt {
+        self.at(i, line.ends, kernel, Size::of(line, kernel).width())
+    }
+
+    fn at(&self, i: usize, ends: Ends, kernel: &Kernel, width: usize) -> BigInt {
+        let (mut pair, mut sum) = (vec![0; kernel.stride() + 1], vec![0; width]);
+        for (j, magnitude, negative) in &self.0 {
+            let (direct, mirrored) = (i.abs_diff(*j), i + j + image(ends));
             if !(kernel.reaches(direct) || kernel.reaches(mirrored)) {
                 continue;
             }
-            let sign = pair_up(&mut pair, kernel, direct, mirrored, line.ends);
+            let sign = pair_up(&mut pair, kernel, direct, mirrored, ends);
             limbs::accumulate(&mut sum, &pair, magnitude, sign ^ negative);
         }
-        moved[i] = limbs::integer(&mut sum);
+        limbs::integer(&mut sum)
     }
-    moved
 }
 
 /// The magnitude of what a deviation gives a drone: directly, and through its image beyond an

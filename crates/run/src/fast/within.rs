@@ -11,7 +11,7 @@ use super::growth::{limbs_for, log2_above};
 use super::kernel::Kernel;
 use super::line::Line;
 use super::multiply::Multiply;
-use super::ring::{convolve, half_ring};
+use super::ring::{Sources, convolve, half_ring};
 use cordon_core::Rational;
 
 /// Most doublings: 2^40 steps.
@@ -27,34 +27,51 @@ pub fn first_step(line: &Line, within: &Rational, by: &dyn Multiply) -> Option<u
     if line.growth() != line.den || !within.is_positive() {
         return None;
     }
-    let search = Search::new(line, within, by);
+    let mut search = Search::new(line, within, by);
     let power = |k: u64| Kernel::fixed_power(line, half_ring(line), k, search.places, by);
-    if search.met_after(&power(0))? {
+    let (none, one) = (power(0), power(1));
+    if search.met_after(&none)? {
         return Some(0);
     }
-    let mut doublings = vec![power(1)];
+    let mut doublings = vec![one.clone()];
     loop {
         let last = doublings.last()?;
         if search.met_after(last)? || doublings.len() > MOST_DOUBLINGS {
             break;
         }
-        doublings.push(last.then(last, by));
+        doublings.push(last.twice(by));
     }
     // The largest number of steps after which it is not met, by binary digits; the last doubling
-    // is beyond it.
+    // is beyond it. That the drone watched is within the distance says nothing of the others,
+    // but is a good guess: the step that is found so is looked at in full.
     doublings.pop();
-    let (mut below, mut steps) = (None::<Kernel>, 0_u64);
-    for (digit, power) in doublings.into_iter().enumerate().rev() {
-        let further = match &below {
-            None => power,
-            Some(below) => below.then(&power, by),
-        };
-        if !search.met_after(&further)? {
-            below = Some(further);
-            steps += 1 << digit;
+    for guessing in [true, false] {
+        let (mut below, mut steps) = (None::<Kernel>, 0_u64);
+        for (digit, power) in doublings.iter().enumerate().rev() {
+            let further = match &below {
+                None => power.clone(),
+                Some(below) => below.then(power, by),
+            };
+            let guess = if guessing { search.watched_is_within(&further) } else { None };
+            let met = match guess {
+                Some(met) => met,
+                None => search.met_after(&further)?,
+            };
+            if !met {
+                below = Some(further);
+                steps += 1 << digit;
+            }
+        }
+        if steps + 1 >= 1 << MOST_DOUBLINGS {
+            return None;
+        }
+        let first = below.map_or_else(|| one.clone(), |below| below.then(&one, by));
+        // After `steps` some drone was beyond the distance for certain.
+        if !guessing || search.met_after(&first)? {
+            return Some(steps + 1);
         }
     }
-    (steps + 1 < 1 << MOST_DOUBLINGS).then_some(steps + 1)
+    None
 }
 
 struct Search<'l> {
@@ -66,6 +83,9 @@ struct Search<'l> {
     bound: Rational,
     /// Twice the sum of the deviations' magnitudes.
     doubt: BigInt,
+    sources: Sources,
+    /// A drone that was farthest from its resting place; looked at before the others.
+    watched: Option<usize>,
 }
 
 impl<'l> Search<'l> {
@@ -78,16 +98,32 @@ impl<'l> Search<'l> {
         // The square of that error times the ring's length has to stay below the last place.
         let places = limbs_for(needed.max(192));
         let unit = Rational::from_integer(BigInt::from(1) << (64 * places));
-        Self { line, by, places, bound: distance * unit, doubt }
+        let (bound, sources) = (distance * unit, Sources::of(line));
+        Self { line, by, places, bound, doubt, sources, watched: None }
     }
 
     /// Whether every drone is within the distance after the steps of the kernel.
-    fn met_after(&self, kernel: &Kernel) -> Option<bool> {
+    fn met_after(&mut self, kernel: &Kernel) -> Option<bool> {
+        if self.watched_is_within(kernel) == Some(false) {
+            return Some(false);
+        }
         let deviations = convolve(self.line, kernel, self.by);
-        let largest = deviations.iter().map(Signed::abs).max()?;
+        let farthest = (0..deviations.len()).max_by_key(|i| deviations[*i].abs())?;
+        self.watched = Some(farthest);
+        self.is_within(&deviations[farthest].abs(), kernel)
+    }
+
+    /// Whether the drone that is watched is within the distance, where there is one and rounding
+    /// tells.
+    fn watched_is_within(&self, kernel: &Kernel) -> Option<bool> {
+        let deviation = self.sources.one(self.watched?, self.line, kernel);
+        self.is_within(&deviation.abs(), kernel)
+    }
+
+    fn is_within(&self, deviation: &BigInt, kernel: &Kernel) -> Option<bool> {
         let doubt = &self.doubt * BigInt::from(kernel.error());
         let at_most = |x: BigInt| Rational::from_integer(x) <= self.bound;
-        match (at_most(&largest + &doubt), at_most(&largest - &doubt)) {
+        match (at_most(deviation + &doubt), at_most(deviation - &doubt)) {
             (true, _) => Some(true),
             (false, false) => Some(false),
             (false, true) => None,

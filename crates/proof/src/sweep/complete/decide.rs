@@ -15,7 +15,7 @@ use crate::sweep::config::Item;
 use crate::sweep::kernel::{Update, Window, step};
 use cordon_core::stencil::Stencil;
 
-type Run = Window<BigInt, Vec<BigInt>>;
+type Run = Window<BigInt>;
 
 /// What is known of a theorem at one step, for all starts.
 pub(super) enum Decision {
@@ -326,7 +326,7 @@ fn lawful(stencil: &Stencil, count: usize) -> bool {
     [here, shifted].into_iter().all(|x| {
         let (Some(min), Some(max)) = (x.first(), x.last()) else { return false };
         let mut after = x.clone();
-        step(&Update::of(stencil), min, max, &mut after);
+        step(&Update::of(stencil), min, max, &x, &mut after);
         after.iter().zip(&x).all(|(after, x)| *after == x * &stencil.den)
     })
 }

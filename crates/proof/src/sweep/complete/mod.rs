@@ -115,7 +115,7 @@ fn violates(item: &Item, k: usize, start: &[BigInt]) -> bool {
 
 /// The run from a placement that need not be a start; the segment is from its first drone to
 /// its last.
-fn run_from(item: &Item, update: &Update, placement: &[BigInt]) -> Window<BigInt, Vec<BigInt>> {
+fn run_from(item: &Item, update: &Update, placement: &[BigInt]) -> Window<BigInt> {
     let end = |x: Option<&BigInt>| x.cloned().unwrap_or_else(BigInt::zero);
     let setting = Setting {
         min: end(placement.first()),

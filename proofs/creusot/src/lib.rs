@@ -10,12 +10,12 @@
 
 use cordon_spec::graph::Graph;
 use cordon_spec::model::*;
+use cordon_spec::{DroneMap, Params, Scalar, State};
 #[cfg(creusot)]
 use cordon_spec::{
     activation::exec_coverage_active, consensus::exec_consensus, coverage::kth_step,
     delay::exec_coverage_delayed,
 };
-use cordon_spec::{DroneMap, Params, Scalar, State};
 
 /// The product of two numbers that are not negative.
 #[logic]

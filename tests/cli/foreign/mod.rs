@@ -14,7 +14,6 @@ use std::process::Command;
 use tempfile::TempDir;
 use zip::{ZipWriter, write::SimpleFileOptions};
 
-
 const OUTPUTS: [&str; 12] =
     ["x", "y", "z", "vx", "vy", "vz", "phi", "theta", "psi", "vphi", "vtheta", "vpsi"];
 

@@ -8,28 +8,30 @@ use crate::fmu::Fmu;
 use crate::instance::Instance;
 use crate::message::{self, Order, Reply};
 
-/// Carries out orders until the last one, or until nobody sends any more.
-///
-/// # Errors
-/// The answers cannot be written.
-pub fn serve(orders: impl Read, mut answers: impl Write) -> std::io::Result<()> {
+/// Carries out orders until the last one, or until nobody sends any more or takes the answers.
+pub fn serve(orders: impl Read, answers: impl Write) {
+    let mut folder = None;
+    let ended = attend(orders, answers, &mut folder);
+    // The parent process has died: nobody else removes the unpacked archive.
+    if let (Err(_), Some(folder)) = (ended, folder) {
+        remove(&folder);
+    }
+}
+
+/// Answers orders until the last one; `folder` is where the archive is unpacked, once that is known.
+fn attend(
+    orders: impl Read,
+    mut answers: impl Write,
+    folder: &mut Option<PathBuf>,
+) -> std::io::Result<()> {
     // A message a call of the system: the length and what follows come together.
     let mut orders = BufReader::new(orders);
     let mut instance: Option<Instance> = None;
-    let mut folder: Option<PathBuf> = None;
     loop {
-        let Ok(order) = message::read(&mut orders) else {
-            // The parent process has died: nobody else removes the unpacked archive.
-            drop(instance);
-            if let Some(folder) = folder {
-                remove(&folder);
-            }
-            return Ok(());
-        };
-        let answer = match (order, &mut instance) {
+        let answer = match (message::read(&mut orders)?, &mut instance) {
             (Order::Load(fmu), _) => {
                 watch_over(&fmu);
-                folder = Some(fmu.folder.clone());
+                *folder = Some(fmu.folder.clone());
                 let made = Instance::load(&fmu);
                 let result = made.map(|made| {
                     instance = Some(made);
@@ -43,10 +45,8 @@ pub fn serve(orders: impl Read, mut answers: impl Write) -> std::io::Result<()> 
             }
             (Order::Finish, _) => {
                 drop(instance.take());
-                return message::write(
-                    &mut answers,
-                    &Reply { result: Ok(Vec::new()), notes: Vec::new() },
-                );
+                let done = Reply { result: Ok(Vec::new()), notes: Vec::new() };
+                return message::write(&mut answers, &done);
             }
             (_, None) => Reply::failed("there is no instance".to_owned()),
         };
@@ -80,3 +80,42 @@ fn watch_over(fmu: &Fmu) {
 
 #[cfg(not(unix))]
 fn watch_over(_: &Fmu) {}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::fmu::Version;
+
+    /// A parent process that is gone: it takes no answer.
+    struct Gone;
+
+    impl Write for Gone {
+        fn write(&mut self, _: &[u8]) -> std::io::Result<usize> {
+            Err(std::io::ErrorKind::BrokenPipe.into())
+        }
+
+        fn flush(&mut self) -> std::io::Result<()> {
+            Ok(())
+        }
+    }
+
+    /// Whoever outlives the other removes the folder: the child where nobody takes its answer, else
+    /// the parent.
+    #[test]
+    fn the_archive_is_removed_where_nobody_takes_the_answer() {
+        let folder = std::env::temp_dir().join(format!("cordon-host-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let (token, name) = (String::new(), "plant".to_owned());
+        let binary = folder.join("missing.so");
+        let fmu = Fmu { folder: folder.clone(), binary, version: Version::V2, token, name };
+        let mut orders = Vec::new();
+        for order in [Order::Load(fmu), Order::Finish] {
+            message::write(&mut orders, &order).unwrap();
+        }
+        serve(orders.as_slice(), Vec::new());
+        assert!(folder.exists());
+        serve(orders.as_slice(), Gone);
+        assert!(!folder.exists());
+    }
+}

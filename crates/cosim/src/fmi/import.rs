@@ -62,7 +62,8 @@ pub fn substitute(
 #[cfg(all(feature = "fmi-import", unix))]
 pub fn serve() -> Result<()> {
     let (orders, answers) = cordon_fmi::remote::pipes_to_parent()?;
-    Ok(cordon_fmi::host::serve(orders, answers)?)
+    cordon_fmi::host::serve(orders, answers);
+    Ok(())
 }
 
 /// As above, for a program that cannot run FMUs.

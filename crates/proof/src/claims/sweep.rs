@@ -171,10 +171,10 @@ struct Points {
 impl Points {
     fn go(&mut self) -> Result<()> {
         self.left = self.left.checked_sub(1 + self.constraints.len() as u64).ok_or_else(|| {
-            Error::input(format!(
-                "grid: too many points for as many comparisons in `start`: expected a coarser grid, fewer agents or \
-                 --complete"
-            ))
+            Error::input(
+                "grid: too many points for as many comparisons in `start`: expected a coarser grid, fewer agents \
+                 or --complete",
+            )
         })?;
         if !self.constraints.iter().all(|c| self.may_meet(c)) {
             return Ok(());

@@ -30,7 +30,7 @@ impl Swarm {
                 let last = best.as_ref().map_or(last, |(step, _)| step.saturating_sub(1));
                 let found = self.driven(&start, pair, last);
                 let found = found.and_then(|(step, ages)| {
-                    Some((step, self.from_inside(&start, pair, step, ages)?))
+                    Some((step, self.started_inside(&start, pair, step, ages)?))
                 });
                 best = found.or(best);
             }
@@ -90,7 +90,7 @@ impl Swarm {
 
     /// The same ages from a start with no gap 0: the simplest mixture with equal gaps from which the pair
     /// still meets. With the ages as they are, a run is a linear function of its start.
-    fn from_inside(
+    fn started_inside(
         &self,
         start: &[Rational],
         pair: usize,

@@ -110,7 +110,7 @@ fn modes_in_turn_are_judged_by_the_round() {
     let in_turn = line("switching = [\"even\", \"odd\"]\n");
     let found = converge::contraction(&in_turn).unwrap().unwrap();
     assert!(is_valid(&found.certificate));
-    assert_eq!((found.round, &found.rate < &q("3/4")), (2, true));
+    assert_eq!((found.round, found.rate < q("3/4")), (2, true));
     // The step that is promised, from the corner that is slowest; within a round too.
     let start = [q("0"), q("1"), q("1"), q("1"), q("1")];
     let within = q("1/100");

@@ -80,7 +80,8 @@ mod tests {
         let mut compared = 0;
         for (k, row) in reader.get_row_iter(None).unwrap().enumerate() {
             let row = row.unwrap();
-            let (names, read): (Vec<_>, Vec<_>) = row.get_column_iter().cloned().unzip();
+            let columns = row.get_column_iter().map(|(name, x)| (name.clone(), x.clone()));
+            let (names, read): (Vec<_>, Vec<_>) = columns.unzip();
             assert_eq!(names, heads(&record));
             let written = std::iter::once(record.times[k])
                 .chain(record.positions().flat_map(|(_, x)| record.at(x, k).iter().copied()))

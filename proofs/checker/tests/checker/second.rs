@@ -8,7 +8,7 @@ use std::process::Command;
 use cordon_check::{Verdict, check};
 
 /// How many files are compared.
-const COMPARED: usize = 865;
+const COMPARED: usize = 857;
 
 fn files(folder: &Path) -> Vec<PathBuf> {
     let mut files: Vec<PathBuf> =
@@ -22,6 +22,8 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 fn both_checkers_agree() {
     let proofs = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mutants = Path::new(env!("CARGO_TARGET_TMPDIR")).join("second");
+    // Mutants of certificates that are there no more would be compared too.
+    let _ = fs::remove_dir_all(&mutants);
     fs::create_dir_all(&mutants).unwrap();
     for path in files(&proofs.join("certificates")) {
         let text = fs::read_to_string(&path).unwrap();

@@ -40,8 +40,7 @@ pub struct Bracket {
     pub is_exact: bool,
 }
 
-/// Most work at one weight, in the unit of [`cordon_core::simplex::Work`]: some ten seconds. Six drones whose
-/// messages are a step late take half of it.
+/// Most work at one weight, in the unit of [`cordon_core::simplex::Work`]: some seconds.
 pub const WORK: u64 = 120_000_000;
 
 /// Brackets the critical weight of `count` drones whose messages are up to `longest` steps late; at each

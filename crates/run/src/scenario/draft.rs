@@ -6,8 +6,7 @@ use std::path::Path;
 use cordon_spec::Phase;
 
 use super::{Flight, MAX_DRONES, MIN_DRONES, Own, Places, Protocol, Scenario, Topology};
-use crate::protocol;
-use crate::protocol::Agents;
+use crate::protocol::{self, Agents};
 use cordon_core::exact::Rational;
 use cordon_core::system::Variable;
 use cordon_core::{Error, Result};
@@ -365,15 +364,15 @@ pub fn names_file(protocol: &str) -> bool {
     Path::new(protocol).extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"))
 }
 
-/// The order of the numbers of a start: `x0,v0,x1,v1,...`.
 /// The flags that say where the drones start.
 const FLAGS: &str = "--start or --spread-to";
 
+/// The order of the numbers of a start: `x0,v0,x1,v1 and so on`.
 fn in_order(variables: &[Variable]) -> String {
     let names = (0..2).flat_map(|i| variables.iter().map(move |v| format!("{}{i}", v.name)));
     format!("{} and so on", names.collect::<Vec<_>>().join(","))
 }
 
 fn missing(field: &str, flag: &str) -> Error {
-    Error::input(format!("{field} is missing: expected it in the scenario file, or {flag}"))
+    Error::input(format!("{field} is missing: expected {flag}, or a field of the scenario file"))
 }

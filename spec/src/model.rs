@@ -92,7 +92,7 @@ pub fn exact<S: Scalar>() -> bool {
         && (forall<a: S, b: &S, r: S> <S as Sub<&S>>::sub.postcondition_once((a, b), r)
             ==> r.model() == a.model() - b.model())
         && (forall<a: S, b: &S, r: S> <S as Mul<&S>>::mul.postcondition_once((a, b), r)
-            ==> r.model() == a.model() * b.model())
+            ==> r.model() == times(a.model(), b.model()))
         && (forall<a: &S, r: S> S::clone.postcondition_once((a,), r) ==> r.model() == a.model())
     }
 }

@@ -84,7 +84,6 @@ impl WeightRange {
 /// least eigenvalue is 1 - 2eps(1 + cos(pi/(N-1))). It is above -1 exactly when I + A is
 /// positive definite, that is when all leading minors of den*(I + A) are positive (Sylvester);
 /// for a tridiagonal matrix they obey a three-term recurrence.
-#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
 #[cfg_attr(feature = "contracts", ensures(says(result, minors_positive(num.model(), den.model(), count@ - 2))))]
 fn below_critical<S: Ordered>(num: &S, den: &S, count: usize) -> Truth {
@@ -94,7 +93,34 @@ fn below_critical<S: Ordered>(num: &S, den: &S, count: usize) -> Truth {
     let off_squared = num.clone() * num;
     let (mut before, mut minor) = (zero.clone(), S::from_int(1));
     let mut answer = Truth::True;
+    #[cfg_attr(creusot, invariant(minor.model() == minor_of(num.model(), den.model(), produced.len())))]
+    #[cfg_attr(creusot, invariant(before.model() == minor_of(num.model(), den.model(), produced.len() - 1)))]
+    #[cfg_attr(creusot, invariant(says(answer, minors_positive(num.model(), den.model(), produced.len()))))]
     for _ in 0..count.saturating_sub(2) {
+        #[cfg(creusot)]
+        let k = snapshot!(produced.len() - 1);
+        #[cfg(creusot)]
+        proof_assert!(
+            minor.model() == minor_of(num.model(), den.model(), *k)
+                && before.model() == minor_of(num.model(), den.model(), *k - 1)
+                && *k >= 0
+        );
+        #[cfg(creusot)]
+        proof_assert!(one_minor_more(
+            num.model(),
+            den.model(),
+            *k,
+            diagonal.model(),
+            off_squared.model(),
+            minor.model(),
+            before.model()
+        ));
+        #[cfg(creusot)]
+        proof_assert!(
+            minor_of(num.model(), den.model(), *k + 1)
+                == times(diagonal.model(), minor.model())
+                    - times(off_squared.model(), before.model())
+        );
         let next = diagonal.clone() * &minor - &(off_squared.clone() * &before);
         (before, minor) = (minor, next);
         answer = answer.and(less(&zero, &minor));
@@ -144,7 +170,6 @@ fn ordered<S: Ordered>(x: &[S]) -> Truth {
 }
 
 /// X_i < min + l for every internal i, multiplied by N-1.
-#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
 #[cfg_attr(feature = "contracts", ensures(says(result, before_first_target(setting.model(), reals(x@)))))]
 fn in_first_subsegment<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {

@@ -15,9 +15,9 @@ use crate::placement::{gaps, scaled_error};
 #[derive(Clone, Copy)]
 #[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct Hypothesis {
-    /// Which weights eps.
+    /// The weights eps that the theorem is about.
     pub weights: WeightRange,
-    /// Which starts X^0.
+    /// The starts X^0 that the theorem is about.
     pub starts: StartSet,
 }
 
@@ -93,34 +93,15 @@ fn below_critical<S: Ordered>(num: &S, den: &S, count: usize) -> Truth {
     let off_squared = num.clone() * num;
     let (mut before, mut minor) = (zero.clone(), S::from_int(1));
     let mut answer = Truth::True;
-    #[cfg_attr(creusot, invariant(minor.model() == minor_of(num.model(), den.model(), produced.len())))]
-    #[cfg_attr(creusot, invariant(before.model() == minor_of(num.model(), den.model(), produced.len() - 1)))]
+    #[cfg_attr(creusot, invariant(minors_are(*num, *den, produced.len(), minor, before)))]
     #[cfg_attr(creusot, invariant(says(answer, minors_positive(num.model(), den.model(), produced.len()))))]
     for _ in 0..count.saturating_sub(2) {
         #[cfg(creusot)]
         let k = snapshot!(produced.len() - 1);
         #[cfg(creusot)]
-        proof_assert!(
-            minor.model() == minor_of(num.model(), den.model(), *k)
-                && before.model() == minor_of(num.model(), den.model(), *k - 1)
-                && *k >= 0
-        );
+        proof_assert!(*k >= 0 && minors_are(*num, *den, *k, minor, before));
         #[cfg(creusot)]
-        proof_assert!(one_minor_more(
-            num.model(),
-            den.model(),
-            *k,
-            diagonal.model(),
-            off_squared.model(),
-            minor.model(),
-            before.model()
-        ));
-        #[cfg(creusot)]
-        proof_assert!(
-            minor_of(num.model(), den.model(), *k + 1)
-                == times(diagonal.model(), minor.model())
-                    - times(off_squared.model(), before.model())
-        );
+        proof_assert!(one_minor_more(*num, *den, *k, diagonal, off_squared, minor, before));
         let next = diagonal.clone() * &minor - &(off_squared.clone() * &before);
         (before, minor) = (minor, next);
         answer = answer.and(less(&zero, &minor));
@@ -193,7 +174,7 @@ pub(super) fn at_targets<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
     Truth::all(x.len(), |i| at_target(setting, x, i))
 }
 
-/// X_i = T_i.
+/// X_i = T_i: drone `i` is at its target.
 #[cfg_attr(feature = "contracts", requires(exact::<S>() && i@ < x@.len()))]
 #[cfg_attr(feature = "contracts", ensures(says(result, error(setting.min.model(), setting.max.model(), reals(x@), i@) == int(0))))]
 pub(super) fn at_target<S: Ordered>(setting: &Setting<S>, x: &[S], i: usize) -> Truth {

@@ -59,7 +59,7 @@ fn at_rate<S: Ordered>(setting: &Setting<S>, now: &[S], next: &[S]) -> Verdict {
     )
 }
 
-/// Whether there is such a j for drone `i + 1`, where `whole` is (N-1)^2 den and `kept` 8 num less.
+/// Whether there is such a j for drone `i + 1`. `whole` is (N-1)^2 den, and `kept` 8 num less.
 #[cfg_attr(feature = "contracts", requires(rated(*setting, whole, kept, now@, next@) && i@ + 2 < now@.len()))]
 #[cfg_attr(feature = "contracts", ensures(says(result, shrinks_to_some(*setting, now@, next@, i@ + 1))))]
 fn bounded_by_some<S: Ordered>(
@@ -74,7 +74,7 @@ fn bounded_by_some<S: Ordered>(
     Truth::any(now.len().saturating_sub(2), |j| bounded_by(setting, whole, kept, now, next, i, j))
 }
 
-/// Whether drone `j + 1` is one for drone `i`.
+/// Whether drone `j + 1` is such a one for drone `i`.
 #[cfg_attr(feature = "contracts", requires(rated(*setting, whole, kept, now@, next@) && i@ + 1 < now@.len() && j@ + 2 < now@.len()))]
 #[cfg_attr(feature = "contracts", ensures(says(result, shrinks_to(*setting, now@, next@, i@, j@ + 1))))]
 fn bounded_by<S: Ordered>(

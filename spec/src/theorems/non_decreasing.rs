@@ -9,7 +9,7 @@ use super::{Setting, placement};
 use crate::placement::{gap, sum};
 use crate::{DroneMap, Ordered, Scalar};
 
-/// c^{k+1} >= c^k.
+/// c^{k+1} >= c^k: the sum does not fall in the step.
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
 #[cfg_attr(feature = "contracts", ensures(decides(result, sum_of(now@) <= sum_of(later@[0].seq()))))]
 pub(super) fn conclusion<S: Ordered, M: DroneMap<S>>(now: &[S], later: &[M]) -> Verdict {

@@ -95,6 +95,13 @@ pub fn minor_of(num: Real, den: Real, k: Int) -> Real {
     }
 }
 
+/// That the leading minors of orders `k` and `k - 1` are `minor` and `before`.
+#[logic(open)]
+pub fn minors_are<S: Scalar>(num: S, den: S, k: Int, minor: S, before: S) -> bool {
+    minor.model() == minor_of(num.model(), den.model(), k)
+        && before.model() == minor_of(num.model(), den.model(), k - 1)
+}
+
 /// That the leading minors up to order `k` are positive.
 #[logic(open)]
 pub fn minors_positive(num: Real, den: Real, k: Int) -> bool {
@@ -352,7 +359,7 @@ pub fn whole_of<S: Scalar>(setting: Setting<S>, n: Int) -> Real {
     times(times(int(last_of(n)), int(last_of(n))), setting.eps_den.model())
 }
 
-/// The rate's numerator.
+/// The rate's numerator: 8 times that of the weight is lost.
 #[logic(open)]
 pub fn kept_of<S: Scalar>(setting: Setting<S>, n: Int) -> Real {
     whole_of(setting, n) - times(int(8), setting.eps_num.model())
@@ -367,7 +374,7 @@ pub fn rated<S: Scalar>(setting: Setting<S>, whole: &S, kept: &S, x: Seq<S>, y: 
     }
 }
 
-/// The absolute value.
+/// The absolute value of a number.
 #[logic(open)]
 pub fn absolute(e: Real) -> Real {
     if e < int(0) { int(0) - e } else { e }

@@ -99,19 +99,19 @@ pub fn one_error_more(min: Real, max: Real, x: Seq<Real>, n: Int, e: Real) -> bo
 
 /// The recurrence of the leading minors, with what stands on the diagonal and beside it.
 #[logic]
-#[requires(k >= 0 && minor == minor_of(num, den, k) && before == minor_of(num, den, k - 1))]
-#[requires(d == times(int(2), den) - times(int(2), num) && o == times(num, num))]
-#[ensures(result && minor_of(num, den, k + 1) == times(d, minor) - times(o, before))]
-pub fn one_minor_more(
-    num: Real,
-    den: Real,
-    k: Int,
-    d: Real,
-    o: Real,
-    minor: Real,
-    before: Real,
-) -> bool {
-    true
+#[requires(k >= 0 && minors_are(num, den, k, minor, before))]
+#[requires(d.model() == times(int(2), den.model()) - times(int(2), num.model()))]
+#[requires(o.model() == times(num.model(), num.model()))]
+#[ensures(result && after_minors(num, den, k, times(d.model(), minor.model()) - times(o.model(), before.model())))]
+pub fn one_minor_more<S: Scalar>(num: S, den: S, k: Int, d: S, o: S, minor: S, before: S) -> bool {
+    same_factor(minor.model(), d.model(), int(2) * den.model() - int(2) * num.model())
+        && same_factor(before.model(), o.model(), num.model() * num.model())
+}
+
+/// That the leading minor of order `k + 1` is `m`.
+#[logic(open)]
+pub fn after_minors<S: Scalar>(num: S, den: S, k: Int, m: Real) -> bool {
+    minor_of(num.model(), den.model(), k + 1) == m
 }
 
 /// The weights of the contraction fit where the square of the number of drones does.

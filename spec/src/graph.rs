@@ -90,7 +90,7 @@ impl Graph for Path {
 pub struct Edges<'e> {
     /// The number of drones.
     pub count: usize,
-    /// The linked pairs.
+    /// The pairs of linked drones, either of them first.
     pub edges: &'e [(usize, usize)],
 }
 

@@ -19,9 +19,9 @@ use crate::{DroneMap, Params, Scalar, State};
 #[derive(Clone, Copy)]
 #[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct TickRatio {
-    /// Numerator.
+    /// Numerator; 0 means an update in every tick.
     pub num: u32,
-    /// Denominator.
+    /// Denominator, by its type not 0.
     pub den: NonZeroU32,
 }
 

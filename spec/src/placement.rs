@@ -77,7 +77,8 @@ pub fn scaled_energy<S: Scalar>(min: &S, max: &S, x: &[S]) -> S {
     for i in 0..x.len() {
         let e = scaled_error(min, max, x, i);
         #[cfg(creusot)]
-        proof_assert!(energy(min.model(), max.model(), reals(x@), i@ + 1) == energy(min.model(), max.model(), reals(x@), i@) + e.model() * e.model());
+        proof_assert!(one_error_more(min.model(), max.model(), reals(x@), i@, e.model()) && i@ + 1 == produced.len()
+            && energy(min.model(), max.model(), reals(x@), i@ + 1) == energy(min.model(), max.model(), reals(x@), i@) + times(e.model(), e.model()));
         sum = sum + &(e.clone() * &e);
     }
     sum
@@ -85,10 +86,11 @@ pub fn scaled_energy<S: Scalar>(min: &S, max: &S, x: &[S]) -> S {
 
 /// The contraction vector `w_i = i*(N-1-i)` (PROTOCOL section 2): positive on the internal
 /// drones, zero at the ends.
-#[cfg_attr(feature = "contracts", requires(i@ < count@))]
-#[cfg_attr(feature = "contracts", requires(i@ * (count@ - 1 - i@) <= usize::MAX@))]
+#[cfg_attr(feature = "contracts", requires(i@ < count@ && count@ * count@ <= usize::MAX@))]
 #[cfg_attr(feature = "contracts", ensures(result@ == i@ * (count@ - 1 - i@)))]
 pub fn contraction_weight(count: usize, i: usize) -> usize {
+    #[cfg(creusot)]
+    proof_assert!(weight_fits(count@, i@, usize::MAX@));
     i * (count - 1 - i)
 }
 

@@ -559,8 +559,7 @@ fn committed_records_of_provers_are_fresh() {
     assert_eq!(compared, 4);
 }
 
-/// The list of goals beside the contracts is of the run on record, and no goal in it is open but those
-/// that its README names.
+/// The list of goals beside the contracts is of the run on record, and no goal in it is open.
 #[test]
 fn the_list_of_goals_is_that_of_the_record() {
     let root = common::root();
@@ -574,6 +573,6 @@ fn the_list_of_goals_is_that_of_the_record() {
     assert_eq!(sum("goals"), goals["goals"].as_u64().unwrap());
     let open = functions.iter().filter(|f| f["goals"] != f["proved"]);
     let open: Vec<&str> = open.map(|f| f["function"].as_str().unwrap()).collect();
-    assert_eq!(open, ["placement/scaled_energy"], "as proofs/creusot/README.md says");
-    assert!(sum("goals") > 300, "{} goals", sum("goals"));
+    assert!(open.is_empty(), "open goals in {open:?}");
+    assert!(sum("goals") > 1000, "{} goals", sum("goals"));
 }

@@ -15,6 +15,8 @@ const FUNCTIONS: &[&str] = &[
     "theorems::increasing::first_off_target_is_late",
     "theorems::increasing::span",
     "theorems::limit::at_rate",
+    "theorems::limit::bounded_by",
+    "theorems::limit::bounded_by_some",
     "theorems::limit::conclusion",
     "theorems::limit::magnitude",
     "theorems::limit::weighed",

@@ -38,6 +38,8 @@ const FUNCTIONS: &[&str] = &[
     "theorems::increasing::exact",
     "theorems::increasing::span",
     "theorems::limit::at_rate",
+    "theorems::limit::bounded_by",
+    "theorems::limit::bounded_by_some",
     "theorems::limit::conclusion",
     "theorems::limit::magnitude",
     "theorems::limit::weighed",

@@ -34,7 +34,6 @@ pub(super) fn targets_fixed<S: Ordered, M: DroneMap<S>>(
     Verdict::given(at_targets(setting, now), || remain(form, setting, now, later))
 }
 
-#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
 #[cfg_attr(feature = "contracts", ensures(decides(result, remains(form, setting.model(), now@, later@))))]
 fn remain<S: Ordered, M: DroneMap<S>>(

@@ -15,9 +15,9 @@ use crate::placement::{gaps, scaled_error};
 #[derive(Clone, Copy)]
 #[cfg_attr(not(creusot), derive(Debug, PartialEq, Eq))]
 pub struct Hypothesis {
-    /// Which weights eps.
+    /// The weights eps that the theorem is about.
     pub weights: WeightRange,
-    /// Which starts X^0.
+    /// The starts X^0 that the theorem is about.
     pub starts: StartSet,
 }
 
@@ -84,7 +84,6 @@ impl WeightRange {
 /// least eigenvalue is 1 - 2eps(1 + cos(pi/(N-1))). It is above -1 exactly when I + A is
 /// positive definite, that is when all leading minors of den*(I + A) are positive (Sylvester);
 /// for a tridiagonal matrix they obey a three-term recurrence.
-#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
 #[cfg_attr(feature = "contracts", ensures(says(result, minors_positive(num.model(), den.model(), count@ - 2))))]
 fn below_critical<S: Ordered>(num: &S, den: &S, count: usize) -> Truth {
@@ -94,7 +93,15 @@ fn below_critical<S: Ordered>(num: &S, den: &S, count: usize) -> Truth {
     let off_squared = num.clone() * num;
     let (mut before, mut minor) = (zero.clone(), S::from_int(1));
     let mut answer = Truth::True;
+    #[cfg_attr(creusot, invariant(minors_are(*num, *den, produced.len(), minor, before)))]
+    #[cfg_attr(creusot, invariant(says(answer, minors_positive(num.model(), den.model(), produced.len()))))]
     for _ in 0..count.saturating_sub(2) {
+        #[cfg(creusot)]
+        let k = snapshot!(produced.len() - 1);
+        #[cfg(creusot)]
+        proof_assert!(*k >= 0 && minors_are(*num, *den, *k, minor, before));
+        #[cfg(creusot)]
+        proof_assert!(one_minor_more(*num, *den, *k, diagonal, off_squared, minor, before));
         let next = diagonal.clone() * &minor - &(off_squared.clone() * &before);
         (before, minor) = (minor, next);
         answer = answer.and(less(&zero, &minor));
@@ -144,7 +151,6 @@ fn ordered<S: Ordered>(x: &[S]) -> Truth {
 }
 
 /// X_i < min + l for every internal i, multiplied by N-1.
-#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
 #[cfg_attr(feature = "contracts", ensures(says(result, before_first_target(setting.model(), reals(x@)))))]
 fn in_first_subsegment<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
@@ -168,7 +174,7 @@ pub(super) fn at_targets<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth {
     Truth::all(x.len(), |i| at_target(setting, x, i))
 }
 
-/// X_i = T_i.
+/// X_i = T_i: drone `i` is at its target.
 #[cfg_attr(feature = "contracts", requires(exact::<S>() && i@ < x@.len()))]
 #[cfg_attr(feature = "contracts", ensures(says(result, error(setting.min.model(), setting.max.model(), reals(x@), i@) == int(0))))]
 pub(super) fn at_target<S: Ordered>(setting: &Setting<S>, x: &[S], i: usize) -> Truth {

@@ -74,12 +74,12 @@ fn first_off_target_is_late<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth 
 }
 
 /// The sum stays until step k+h and increases in the next, with h as predicted.
-#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
 #[cfg_attr(feature = "contracts", requires(model::exact::<S>()))]
 #[cfg_attr(feature = "contracts", ensures(decides(result, increases(setting.model(), now@, later@))))]
 fn exact<S: Ordered, M: DroneMap<S>>(setting: &Setting<S>, now: &[S], later: &[M]) -> Verdict {
     let last = now.len().saturating_sub(1);
     let mut first_increase: Option<usize> = None;
+    #[cfg_attr(creusot, invariant(match first_increase { Some(d) => nearest(setting.model(), reals(now@), produced.len(), d@), None => on_targets(setting.model(), reals(now@), produced.len()) }))]
     for j in 0..now.len() {
         match at_target(setting, now, j) {
             Truth::True => {}
@@ -113,5 +113,7 @@ fn exact<S: Ordered, M: DroneMap<S>>(setting: &Setting<S>, now: &[S], later: &[M
             Truth::True
         }
     });
+    #[cfg(creusot)]
+    proof_assert!(nearest(setting.model(), reals(now@), now@.len(), step@) && says(as_predicted, increases_at(now@, later@, step@)));
     Verdict::one(as_predicted, step, Subject::Sum)
 }

@@ -40,7 +40,6 @@ pub(super) fn conclusion<S: Ordered, M: DroneMap<S>>(
 /// The contraction in one step: for every internal i there is an internal j with
 /// (N-1)^2 den |e_i'| w_j <= ((N-1)^2 den - 8 num) |e_j| w_i. Holds trivially beyond 1/2,
 /// where the rate is not claimed.
-#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
 #[cfg_attr(feature = "contracts", requires(exact::<S>() && now@.len() * now@.len() <= usize::MAX@ && next@.len() == now@.len()))]
 #[cfg_attr(feature = "contracts", ensures(decides(result, shrinks(*setting, now@, next@))))]
 fn at_rate<S: Ordered>(setting: &Setting<S>, now: &[S], next: &[S]) -> Verdict {
@@ -53,28 +52,52 @@ fn at_rate<S: Ordered>(setting: &Setting<S>, now: &[S], next: &[S]) -> Verdict {
     }
     let whole = gaps::<S>(now) * &gaps(now) * den;
     let kept = whole.clone() - &(S::from_int(8) * num);
-    let side = |factor: &S, x: &[S], i: usize, j: usize| {
-        weighed(
-            factor,
-            scaled_error(&setting.min, &setting.max, x, i),
-            contraction_weight(count, j),
-        )
-    };
-    let bounded_by = |i: usize, j: usize| match (side(&whole, next, i, j), side(&kept, now, j, i)) {
-        (Some(after), Some(before)) => at_most(&after, &before),
-        _ => Truth::Unknown,
-    };
-    let internal = count.saturating_sub(2);
     Verdict::for_all(
-        internal,
-        |i| Truth::any(internal, |j| bounded_by(i + 1, j + 1)),
+        count.saturating_sub(2),
+        |i| bounded_by_some(setting, &whole, &kept, now, next, i),
         |i| Violation { step: 1, subject: Subject::Drone(i + 1) },
     )
 }
 
+/// Whether there is such a j for drone `i + 1`. `whole` is (N-1)^2 den, and `kept` 8 num less.
+#[cfg_attr(feature = "contracts", requires(rated(*setting, whole, kept, now@, next@) && i@ + 2 < now@.len()))]
+#[cfg_attr(feature = "contracts", ensures(says(result, shrinks_to_some(*setting, now@, next@, i@ + 1))))]
+fn bounded_by_some<S: Ordered>(
+    setting: &Setting<S>,
+    whole: &S,
+    kept: &S,
+    now: &[S],
+    next: &[S],
+    i: usize,
+) -> Truth {
+    let i = i + 1;
+    Truth::any(now.len().saturating_sub(2), |j| bounded_by(setting, whole, kept, now, next, i, j))
+}
+
+/// Whether drone `j + 1` is such a one for drone `i`.
+#[cfg_attr(feature = "contracts", requires(rated(*setting, whole, kept, now@, next@) && i@ + 1 < now@.len() && j@ + 2 < now@.len()))]
+#[cfg_attr(feature = "contracts", ensures(says(result, shrinks_to(*setting, now@, next@, i@, j@ + 1))))]
+fn bounded_by<S: Ordered>(
+    setting: &Setting<S>,
+    whole: &S,
+    kept: &S,
+    now: &[S],
+    next: &[S],
+    i: usize,
+    j: usize,
+) -> Truth {
+    let (min, max, count, j) = (&setting.min, &setting.max, now.len(), j + 1);
+    let after = weighed(whole, scaled_error(min, max, next, i), contraction_weight(count, j));
+    let before = weighed(kept, scaled_error(min, max, now, j), contraction_weight(count, i));
+    match (after, before) {
+        (Some(after), Some(before)) => at_most(&after, &before),
+        _ => Truth::Unknown,
+    }
+}
+
 /// `factor * |e| * weight`, where the sign of `e` is known.
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
-#[cfg_attr(feature = "contracts", ensures(forall<r> result == Some(r) ==> r.model() == factor.model() * absolute(e.model()) * int(weight@)))]
+#[cfg_attr(feature = "contracts", ensures(forall<r> result == Some(r) ==> r.model() == times(times(factor.model(), absolute(e.model())), int(weight@))))]
 fn weighed<S: Ordered>(factor: &S, e: S, weight: usize) -> Option<S> {
     Some(factor.clone() * &magnitude(e)? * &S::from_index(weight))
 }

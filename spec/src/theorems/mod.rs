@@ -48,8 +48,7 @@ pub struct Setting<S> {
 }
 
 impl<S: Scalar> From<&Params<S>> for Setting<S> {
-    // Trusted, since `From` allows no precondition.
-    #[cfg_attr(feature = "contracts", trusted, ensures(exact::<S>() ==> result.model().eps == p.eps.model() && result.min.model() == p.min.model() && result.max.model() == p.max.model()))]
+    #[cfg_attr(feature = "contracts", ensures(exact::<S>() ==> result.model().eps == p.eps.model() && result.min.model() == p.min.model() && result.max.model() == p.max.model()))]
     fn from(p: &Params<S>) -> Self {
         Self {
             min: p.min.clone(),

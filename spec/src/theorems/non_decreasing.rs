@@ -9,7 +9,7 @@ use super::{Setting, placement};
 use crate::placement::{gap, sum};
 use crate::{DroneMap, Ordered, Scalar};
 
-/// c^{k+1} >= c^k.
+/// c^{k+1} >= c^k: the sum does not fall in the step.
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
 #[cfg_attr(feature = "contracts", ensures(decides(result, sum_of(now@) <= sum_of(later@[0].seq()))))]
 pub(super) fn conclusion<S: Ordered, M: DroneMap<S>>(now: &[S], later: &[M]) -> Verdict {
@@ -36,12 +36,13 @@ pub(super) fn stationary<S: Ordered, M: DroneMap<S>>(
 /// `(c^{k+1} - c^k) - eps*(g_{N-2}^k - g_0^k)`: zero for every weight and every start with the
 /// end drones in place (the telescoping identity behind 7.5; needs no order, so it can be
 /// evaluated in any ring). Placements of N >= 2 drones, `after` one protocol step past `before`.
-#[cfg_attr(feature = "contracts", trusted)] // promised, not proved
 #[cfg_attr(feature = "contracts", requires(exact::<S>() && before@.len() >= 2))]
 #[cfg_attr(feature = "contracts", ensures(result.model() == total(reals(after@), after@.len()) - total(reals(before@), before@.len())
-    - eps.model() * ((before@[before@.len() - 1].model() - before@[before@.len() - 2].model()) - (before@[1].model() - before@[0].model()))))]
+    - eps.model() * ends_apart(before@)))]
 pub fn telescoping_residual<S: Scalar>(eps: &S, before: &[S], after: &[S]) -> S {
     let last = before.len() - 2;
     let ends = gap(before, last) - &gap(before, 0);
+    #[cfg(creusot)]
+    proof_assert!(same_factor(eps.model(), ends.model(), ends_apart(before@)) && times(eps.model(), ends.model()) == eps.model() * ends_apart(before@));
     sum(after) - &sum(before) - &(eps.clone() * &ends)
 }

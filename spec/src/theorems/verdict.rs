@@ -15,9 +15,9 @@ use crate::Ordered;
 #[cfg_attr(not(creusot), derive(Debug, Eq))]
 #[cfg_attr(creusot, derive(DeepModel))]
 pub enum Truth {
-    /// It is.
+    /// It certainly is.
     True,
-    /// It is not.
+    /// It certainly is not.
     False,
     /// The scalars cannot tell.
     Unknown,
@@ -40,7 +40,7 @@ impl Truth {
         self == Self::True
     }
 
-    /// Negation.
+    /// Negation; what is unknown stays so.
     #[cfg_attr(feature = "contracts", ensures(result == match self { Truth::True => Truth::False, Truth::False => Truth::True, Truth::Unknown => Truth::Unknown }))]
     pub(super) fn negated(self) -> Self {
         match self {
@@ -116,7 +116,7 @@ fn order<S: Ordered>(a: &S, b: &S, wanted: impl Fn(Ordering) -> bool) -> Truth {
 pub enum Subject {
     /// Drones `i` and `i + 1`.
     Pair(usize),
-    /// Drone `i`.
+    /// The position of drone `i`.
     Drone(usize),
     /// The sum of the positions.
     Sum,
@@ -130,7 +130,7 @@ pub enum Subject {
 pub struct Violation {
     /// Placement in the run, counted from its first: 0 for X^k, 1 for X^{k+1}.
     pub step: usize,
-    /// What fails there.
+    /// Which drones or which quantity of the placement fail.
     pub subject: Subject,
 }
 
@@ -142,7 +142,7 @@ pub enum Verdict {
     Holds,
     /// It is an implication whose premise this run does not meet.
     Vacuous,
-    /// It fails.
+    /// It fails, first at this place of the run.
     Violated(Violation),
     /// The scalars cannot tell, or the run is too short.
     Undecided,

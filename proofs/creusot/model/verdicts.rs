@@ -80,27 +80,32 @@ pub fn verdict_of<F: Fn(usize) -> Truth>(holds: F, count: Int, v: Verdict) -> bo
     }
 }
 
-/// The leading minor of order `k` of the tridiagonal matrix with this diagonal and this square of
-/// what stands beside it.
+/// The leading minor of order `k` of den*(I + A), A = tridiag(eps, 1 - 2 eps, eps), eps = num/den.
 #[logic(open)]
 #[variant(k + 1)]
 #[requires(k >= -1)]
-pub fn minor_of(diagonal: Real, off_squared: Real, k: Int) -> Real {
+pub fn minor_of(num: Real, den: Real, k: Int) -> Real {
     if k < 0 {
         int(0)
     } else if k == 0 {
         int(1)
     } else {
-        diagonal * minor_of(diagonal, off_squared, k - 1)
-            - off_squared * minor_of(diagonal, off_squared, k - 2)
+        (int(2) * den - int(2) * num) * minor_of(num, den, k - 1)
+            - num * num * minor_of(num, den, k - 2)
     }
 }
 
-/// That the leading minors up to order `k` of den*(I + A), A = tridiag(eps, 1 - 2 eps, eps), are
-/// positive.
+/// That the leading minors of orders `k` and `k - 1` are `minor` and `before`.
+#[logic(open)]
+pub fn minors_are<S: Scalar>(num: S, den: S, k: Int, minor: S, before: S) -> bool {
+    minor.model() == minor_of(num.model(), den.model(), k)
+        && before.model() == minor_of(num.model(), den.model(), k - 1)
+}
+
+/// That the leading minors up to order `k` are positive.
 #[logic(open)]
 pub fn minors_positive(num: Real, den: Real, k: Int) -> bool {
-    pearlite! { forall<j> 1 <= j && j <= k ==> minor_of(int(2) * den - int(2) * num, num * num, j) > int(0) }
+    pearlite! { forall<j> 1 <= j && j <= k ==> minor_of(num, den, j) > int(0) }
 }
 
 /// That the weight `num/den` is in the range, for `count` drones and `den > 0`.
@@ -137,7 +142,7 @@ pub fn starts(set: StartSet, p: Params<Real>, x: Seq<Real>) -> bool {
 pub fn before_first_target(p: Params<Real>, x: Seq<Real>) -> bool {
     pearlite! {
         let last = int(last_of(x.len()));
-        forall<i: usize> i@ + 2 < x.len() ==> last * x[i@ + 1] < last * p.min + (p.max - p.min)
+        forall<i: usize> i@ + 2 < x.len() ==> times(last, x[i@ + 1]) < times(last, p.min) + (p.max - p.min)
     }
 }
 
@@ -211,6 +216,13 @@ pub fn sum_of<S: Scalar>(x: Seq<S>) -> Real {
     total(reals(x), x.len())
 }
 
+/// How much wider the last gap is than the first.
+#[logic(open)]
+pub fn ends_apart<S: Scalar>(x: Seq<S>) -> Real {
+    let n = x.len();
+    (x[n - 1].model() - x[n - 2].model()) - (x[1].model() - x[0].model())
+}
+
 /// That the first `count` of the later placements have the sum of `now`.
 #[logic(open)]
 pub fn constant<S: Scalar, M: DroneMap<S>>(now: Seq<S>, later: Seq<M>, count: Int) -> bool {
@@ -278,10 +290,15 @@ pub fn nearest(p: Params<Real>, x: Seq<Real>, n: Int, d: Int) -> bool {
 /// 7.7: the sum stays, and increases in the step that is the least depth of a drone off its target.
 #[logic(open)]
 pub fn increases<S: Scalar, M: DroneMap<S>>(p: Params<Real>, now: Seq<S>, later: Seq<M>) -> bool {
+    pearlite! { forall<d> nearest(p, reals(now), now.len(), d) ==> increases_at(now, later, d) }
+}
+
+/// That the sum stays before step `d` and increases in it.
+#[logic(open)]
+pub fn increases_at<S: Scalar, M: DroneMap<S>>(now: Seq<S>, later: Seq<M>, d: Int) -> bool {
     pearlite! {
-        forall<d> nearest(p, reals(now), now.len(), d) ==> forall<h: usize> h@ < later.len()
-            ==> (h@ + 1 < d ==> sum_of(later[h@].seq()) == sum_of(now))
-                && (h@ + 1 == d ==> sum_of(now) < sum_of(later[h@].seq()))
+        forall<h: usize> h@ < later.len() ==> (h@ + 1 < d ==> sum_of(later[h@].seq()) == sum_of(now))
+            && (h@ + 1 == d ==> sum_of(now) < sum_of(later[h@].seq()))
     }
 }
 
@@ -313,22 +330,51 @@ pub fn approaches<S: Scalar>(form: Form, setting: Setting<S>, x: Seq<S>, y: Seq<
 pub fn shrinks<S: Scalar>(setting: Setting<S>, x: Seq<S>, y: Seq<S>) -> bool {
     pearlite! {
         weighs(WeightRange::PositiveUpToHalf, setting.eps_num.model(), setting.eps_den.model(), x.len())
-            ==> forall<i: usize> i@ + 2 < x.len()
-                ==> exists<j: usize> j@ + 2 < x.len() && shrinks_to(setting, x, y, i@ + 1, j@ + 1)
+            ==> forall<i: usize> i@ + 2 < x.len() ==> shrinks_to_some(setting, x, y, i@ + 1)
     }
 }
 
-/// That the error of drone `i` after the step is within the rate of drone `j`'s before.
+/// That the error of drone `i` after the step is within the rate of some internal drone's before.
+#[logic(open)]
+pub fn shrinks_to_some<S: Scalar>(setting: Setting<S>, x: Seq<S>, y: Seq<S>, i: Int) -> bool {
+    pearlite! { exists<j: usize> j@ + 2 < x.len() && shrinks_to(setting, x, y, i, j@ + 1) }
+}
+
+/// The same of drone `j`.
 #[logic(open)]
 pub fn shrinks_to<S: Scalar>(setting: Setting<S>, x: Seq<S>, y: Seq<S>, i: Int, j: Int) -> bool {
     let (p, n) = (setting.model(), x.len());
-    let whole = int(last_of(n)) * int(last_of(n)) * setting.eps_den.model();
-    let kept = whole - int(8) * setting.eps_num.model();
-    whole * absolute(error(p.min, p.max, reals(y), i)) * int(j * (n - 1 - j))
-        <= kept * absolute(error(p.min, p.max, reals(x), j)) * int(i * (n - 1 - i))
+    times(
+        times(whole_of(setting, n), absolute(error(p.min, p.max, reals(y), i))),
+        int(j * (n - 1 - j)),
+    ) <= times(
+        times(kept_of(setting, n), absolute(error(p.min, p.max, reals(x), j))),
+        int(i * (n - 1 - i)),
+    )
 }
 
-/// The absolute value.
+/// The rate's denominator, (N-1)^2 times that of the weight.
+#[logic(open)]
+pub fn whole_of<S: Scalar>(setting: Setting<S>, n: Int) -> Real {
+    times(times(int(last_of(n)), int(last_of(n))), setting.eps_den.model())
+}
+
+/// The rate's numerator: 8 times that of the weight is lost.
+#[logic(open)]
+pub fn kept_of<S: Scalar>(setting: Setting<S>, n: Int) -> Real {
+    whole_of(setting, n) - times(int(8), setting.eps_num.model())
+}
+
+/// What `whole` and `kept` are in the search for such a drone, for which the weights fit.
+#[logic(open, prophetic)]
+pub fn rated<S: Scalar>(setting: Setting<S>, whole: &S, kept: &S, x: Seq<S>, y: Seq<S>) -> bool {
+    pearlite! {
+        exact::<S>() && y.len() == x.len() && x.len() * x.len() <= usize::MAX@
+            && whole.model() == whole_of(setting, x.len()) && kept.model() == kept_of(setting, x.len())
+    }
+}
+
+/// The absolute value of a number.
 #[logic(open)]
 pub fn absolute(e: Real) -> Real {
     if e < int(0) { int(0) - e } else { e }

@@ -72,3 +72,55 @@ pub fn local_is_global<S: Scalar>(
                 == next_of(p.protocol.model(), x, i))
     }
 }
+
+/// The product. Its definition stays here: what the provers are told elsewhere is that equal factors
+/// have equal products, which they do not see in `a * b`.
+#[logic]
+#[ensures(result == a * b)]
+pub fn times(a: Real, b: Real) -> Real {
+    a * b
+}
+
+/// Equal numbers are equal as factors.
+#[logic]
+#[requires(a == b)]
+#[ensures(result && times(c, a) == c * b && times(a, c) == c * b)]
+pub fn same_factor(c: Real, a: Real, b: Real) -> bool {
+    true
+}
+
+/// One error more adds its square to the energy.
+#[logic]
+#[requires(n >= 0 && e == error(min, max, x, n))]
+#[ensures(result && energy(min, max, x, n + 1) == energy(min, max, x, n) + times(e, e))]
+pub fn one_error_more(min: Real, max: Real, x: Seq<Real>, n: Int, e: Real) -> bool {
+    true
+}
+
+/// The recurrence of the leading minors, with what stands on the diagonal and beside it.
+#[logic]
+#[requires(k >= 0 && minors_are(num, den, k, minor, before))]
+#[requires(d.model() == times(int(2), den.model()) - times(int(2), num.model()))]
+#[requires(o.model() == times(num.model(), num.model()))]
+#[ensures(result && after_minors(num, den, k, times(d.model(), minor.model()) - times(o.model(), before.model())))]
+pub fn one_minor_more<S: Scalar>(num: S, den: S, k: Int, d: S, o: S, minor: S, before: S) -> bool {
+    same_factor(minor.model(), d.model(), int(2) * den.model() - int(2) * num.model())
+        && same_factor(before.model(), o.model(), num.model() * num.model())
+}
+
+/// That the leading minor of order `k + 1` is `m`.
+#[logic(open)]
+pub fn after_minors<S: Scalar>(num: S, den: S, k: Int, m: Real) -> bool {
+    minor_of(num.model(), den.model(), k + 1) == m
+}
+
+/// The weights of the contraction fit where the square of the number of drones does.
+#[logic]
+#[requires(0 <= i && i < count && count * count <= limit)]
+#[ensures(result && i * (count - 1 - i) <= limit)]
+pub fn weight_fits(count: Int, i: Int, limit: Int) -> bool {
+    pearlite! {
+        proof_assert!(i * (count - 1 - i) <= i * count && i * count <= count * count);
+        true
+    }
+}

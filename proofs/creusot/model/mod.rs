@@ -1,9 +1,9 @@
 //! What the contracts mean: the protocol over the real numbers.
 //!
-//! The contracts of this crate speak of a scalar as of the real number [`Scalar::model`] and of
-//! a map of drones as of the sequence [`DroneMap::seq`]; the functions here say what the
-//! protocol does to such numbers and sequences. They are logic, read by Creusot and by nobody
-//! else: an ordinary build has none of them.
+//! This is the module `model` of `cordon-spec`. Its contracts speak of a scalar as of the real
+//! number [`Scalar::model`] and of a map of drones as of the sequence [`DroneMap::seq`]; the
+//! functions here say what the protocol does to such numbers and sequences. They are logic, read
+//! by Creusot and by nobody else: an ordinary build has none of them.
 //!
 //! Three things are assumed rather than proved: [`exact`], that a scalar's arithmetic is that of
 //! the reals (`proofs/creusot/README.md` says of which scalars it is true); of Rust's own library,
@@ -92,7 +92,7 @@ pub fn exact<S: Scalar>() -> bool {
         && (forall<a: S, b: &S, r: S> <S as Sub<&S>>::sub.postcondition_once((a, b), r)
             ==> r.model() == a.model() - b.model())
         && (forall<a: S, b: &S, r: S> <S as Mul<&S>>::mul.postcondition_once((a, b), r)
-            ==> r.model() == a.model() * b.model())
+            ==> r.model() == times(a.model(), b.model()))
         && (forall<a: &S, r: S> S::clone.postcondition_once((a,), r) ==> r.model() == a.model())
     }
 }
@@ -306,7 +306,7 @@ pub fn after_ticks<S: Scalar, M: DroneMap<S>>(
     }
 }
 
-/// What [`tick`](crate::coverage::tick) does.
+/// What [`tick`](crate::coverage::tick) does to the state `s`.
 #[logic(open)]
 pub fn ticked<S: Scalar, M: DroneMap<S>>(p: Params<Real>, s: State<M>, after: State<M>) -> bool {
     pearlite! {

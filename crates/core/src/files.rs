@@ -19,7 +19,6 @@ pub struct Limit {
     pub bytes: u64,
 }
 
-/// A mebibyte.
 const MIB: u64 = 1 << 20;
 
 impl Limit {
@@ -27,13 +26,13 @@ impl Limit {
     pub const SCENARIO: Self = Self { what: "a scenario", bytes: 64 * MIB };
     /// Protocols of a user's own.
     pub const PROTOCOL: Self = Self { what: "a protocol", bytes: 4 * MIB };
-    /// Multi-models of INTO-CPS.
+    /// Multi-models of INTO-CPS, which may carry a setting for every variable.
     pub const MULTI_MODEL: Self = Self { what: "a multi-model", bytes: 64 * MIB };
     /// Recorded runs of co-simulations.
     pub const RUN: Self = Self { what: "a run", bytes: 1024 * MIB };
     /// Result files of sweeps.
     pub const SWEEP: Self = Self { what: "a sweep's result file", bytes: 1024 * MIB };
-    /// Answers of solvers.
+    /// What a solver prints, a model of every variable included.
     pub const ANSWER: Self = Self { what: "a solver's answer", bytes: 64 * MIB };
     /// FMUs, and the binaries inside.
     pub const FMU: Self = Self { what: "an FMU", bytes: 512 * MIB };
@@ -109,7 +108,7 @@ pub fn read_text(path: &Path, limit: Limit) -> Result<String> {
     Ok(text)
 }
 
-/// Where content goes.
+/// What a path to be written turns out to be.
 enum Target {
     /// A regular file, or none yet: replaced as a whole, with the permissions it had.
     Whole(PathBuf, Option<fs::Permissions>),

@@ -13,7 +13,7 @@ use crate::convert;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
-    /// All well.
+    /// The call did what was asked.
     Ok = 0,
     /// The call was refused; the instance is as it was.
     Error = 3,
@@ -36,7 +36,7 @@ pub struct Component<L> {
     pub name: CString,
     /// The unit under the rules of the standard.
     pub slave: Slave,
-    /// The importer's logger.
+    /// Where messages of the importer's log go.
     pub log: L,
     /// Texts handed out; they live until the next call.
     pub texts: Vec<CString>,

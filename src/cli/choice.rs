@@ -6,7 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// A setting with a few values, each with the name and the help that a user sees.
 pub trait Choice: Copy + Send + Sync + 'static {
-    /// Name, value, help.
+    /// Each choice by name, value and what the help says of it.
     const ALL: &'static [(&'static str, Self, &'static str)];
 }
 

@@ -41,7 +41,7 @@ use cordon_core::{Outcome, Result};
 #[derive(Parser, Debug)]
 #[command(name = "cordon", version, about, long_about = None, after_help = EXIT_CODES)]
 pub struct Cli {
-    /// What to do.
+    /// The command to run.
     #[command(subcommand)]
     pub command: Command,
 }
@@ -49,7 +49,7 @@ pub struct Cli {
 const EXIT_CODES: &str = "Exit codes: 0 holds or done, 1 refuted, 2 bad usage or input, \
                           3 inconclusive or not run, 4 certificate rejected, 70 internal fault, 74 I/O error";
 
-/// The commands.
+/// The program's commands.
 #[derive(Subcommand, Debug)]
 pub enum Command {
     /// Print the trace of a scenario: the placement after every protocol step or tick

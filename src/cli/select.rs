@@ -5,7 +5,7 @@ use cordon_spec::theorems::Form;
 /// Form of a command's output.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OutputFormat {
-    /// For people.
+    /// Aligned columns for people.
     Text,
     /// For programs, with a versioned schema.
     Json,

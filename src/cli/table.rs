@@ -134,7 +134,7 @@ mod tests {
         assert!(shown(&[vec![long]]).ends_with(&format!("1{}...\n", "0".repeat(59))));
     }
 
-    /// Takes two lines.
+    /// A cell that takes two lines.
     struct Full(u32);
 
     impl Write for Full {

@@ -131,3 +131,22 @@ fn heavy_packages_stay_in_their_rooms() {
         assert_eq!(&holders, rooms, "who names {package}");
     }
 }
+
+/// Most packages that the binary inside an exported FMU may be built from, itself included.
+const FMU_PACKAGES: usize = 40;
+
+#[test]
+fn the_binary_inside_fmus_is_built_from_few_packages() {
+    let out = Command::new(env!("CARGO"))
+        .args(["tree", "-p", "cordon-fmu", "-e", "normal", "--prefix", "none", "--offline"])
+        .args(["--format", "{p}"])
+        .current_dir(common::root())
+        .output()
+        .expect("cargo runs");
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    let tree = String::from_utf8(out.stdout).expect("text");
+    let packages: BTreeSet<&str> =
+        tree.lines().filter_map(|l| l.split(" v").next()).filter(|l| !l.is_empty()).collect();
+    assert!(packages.contains("cordon-fmu") && packages.contains("num-bigint"), "{packages:?}");
+    assert!(packages.len() < FMU_PACKAGES, "{}: {packages:?}", packages.len());
+}

@@ -57,11 +57,11 @@ pub enum Error {
     /// A file could not be read or written (exit code 74, `EX_IOERR`).
     #[error("cannot {action} `{}`: {source}", path.display())]
     File {
-        /// `read`, `write`, ...
+        /// What was to be done, as a verb that goes with the path: `read`, `create`, `lock`.
         action: &'static str,
         /// The file that was to be read or written, as the user named it.
         path: PathBuf,
-        /// The system's reason.
+        /// What the operating system said.
         source: io::Error,
     },
     /// stdout or stderr could not be written (exit code 74).

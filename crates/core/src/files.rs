@@ -1,39 +1,45 @@
 //! Files: read up to a limit, written so that they appear whole or not at all.
 
-use std::fs::{self, File, Metadata, OpenOptions};
-use std::io::{self, Read, Write};
+use std::fs::{self, File};
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use crate::{Error, Result};
 
+#[cfg(feature = "output")]
+mod output;
+#[cfg(feature = "output")]
+pub use output::{
+    expect_writable, is_regular, is_stdout, same, write_atomically, write_regardless, write_whole,
+};
+
 /// The name that stands for stdin where a file is read, and for stdout where one is written.
 pub const STREAM: &str = "-";
 
-/// The most that is read of a kind of file.
+/// The size limit for a kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limit {
-    /// What the file is expected to be, for messages.
+    /// The kind of file, for messages.
     pub what: &'static str,
-    /// Most bytes that are read of it.
+    /// Largest size accepted, in bytes.
     pub bytes: u64,
 }
 
-/// A mebibyte.
 const MIB: u64 = 1 << 20;
 
 impl Limit {
     /// Scenarios: room for a million drones.
     pub const SCENARIO: Self = Self { what: "a scenario", bytes: 64 * MIB };
-    /// Protocols of a user's own.
+    /// User-defined protocols.
     pub const PROTOCOL: Self = Self { what: "a protocol", bytes: 4 * MIB };
-    /// Multi-models of INTO-CPS.
+    /// Multi-models of INTO-CPS, which may carry a setting for every variable.
     pub const MULTI_MODEL: Self = Self { what: "a multi-model", bytes: 64 * MIB };
     /// Recorded runs of co-simulations.
     pub const RUN: Self = Self { what: "a run", bytes: 1024 * MIB };
     /// Result files of sweeps.
     pub const SWEEP: Self = Self { what: "a sweep's result file", bytes: 1024 * MIB };
-    /// Answers of solvers.
+    /// Output of a solver, including a model of all variables.
     pub const ANSWER: Self = Self { what: "a solver's answer", bytes: 64 * MIB };
     /// FMUs, and the binaries inside.
     pub const FMU: Self = Self { what: "an FMU", bytes: 512 * MIB };
@@ -41,11 +47,11 @@ impl Limit {
     pub const RECORD: Self = Self { what: "a record", bytes: 64 * MIB };
 }
 
-/// The files that this process reads: no output takes their place.
+/// The files that this process has read: no output may replace them.
 static INPUTS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// From now on the file is an input of this process, which [`write_whole`] does not replace.
-/// [`read`] says so by itself.
+/// Marks a file as an input of this process, which [`write_whole`] will then refuse to replace.
+/// [`read`] does this itself.
 pub fn is_input(path: &Path) {
     if let Ok(whole) = fs::canonicalize(path) {
         let mut inputs = INPUTS.lock().unwrap_or_else(PoisonError::into_inner);
@@ -55,20 +61,8 @@ pub fn is_input(path: &Path) {
     }
 }
 
-/// Refuses an output that would take the place of an input.
-fn expect_no_input(path: &Path) -> Result<()> {
-    let inputs = INPUTS.lock().unwrap_or_else(PoisonError::into_inner);
-    match inputs.iter().find(|input| same(input, path)) {
-        Some(_) => Err(Error::input(format!(
-            "out: `{}`: expected a file that is no input of the command",
-            path.display()
-        ))),
-        None => Ok(()),
-    }
-}
-
-/// Reads a file (`-`: stdin) of at most `limit` bytes. The length is looked at before memory
-/// is taken; of what has no length, like a pipe, no more than the limit is read.
+/// Reads a file (`-`: stdin) of at most `limit` bytes. The size is checked before memory is allocated;
+/// from a source without a size, such as a pipe, no more than the limit is read.
 ///
 /// # Errors
 /// The file cannot be read, or is larger.
@@ -107,184 +101,4 @@ pub fn read_text(path: &Path, limit: Limit) -> Result<String> {
         text.drain(..'\u{feff}'.len_utf8());
     }
     Ok(text)
-}
-
-/// Where content goes.
-enum Target {
-    /// A regular file, or none yet: replaced as a whole, with the permissions it had.
-    Whole(PathBuf, Option<fs::Permissions>),
-    /// A pipe or a device: written through.
-    Through(File),
-    /// This program's stdout, by whichever name.
-    Stdout,
-}
-
-/// The file at the end of a chain of symbolic links, which need not exist.
-fn followed(path: &Path) -> io::Result<PathBuf> {
-    const MOST_LINKS: usize = 40;
-    let mut at = path.to_owned();
-    for _ in 0..MOST_LINKS {
-        match fs::symlink_metadata(&at) {
-            Ok(meta) if meta.is_symlink() => {
-                let to = fs::read_link(&at)?;
-                at = at.parent().unwrap_or(Path::new("")).join(to);
-            }
-            _ => return Ok(at),
-        }
-    }
-    Err(io::Error::other("too many symbolic links"))
-}
-
-fn target(path: &Path) -> io::Result<Target> {
-    if is_stdout(path) {
-        return Ok(Target::Stdout);
-    }
-    let meta = match fs::metadata(path) {
-        Ok(meta) => meta,
-        Err(e) if e.kind() == io::ErrorKind::NotFound => {
-            return Ok(Target::Whole(followed(path)?, None));
-        }
-        Err(e) => return Err(e),
-    };
-    // Root may write everything: a read-only file is one all the same.
-    if meta.is_file() && meta.permissions().readonly() {
-        return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
-    }
-    // Opening changes nothing, and asks the system for the right to write.
-    let file = OpenOptions::new().write(true).open(path)?;
-    if meta.is_file() {
-        Ok(Target::Whole(fs::canonicalize(path)?, Some(meta.permissions())))
-    } else {
-        Ok(Target::Through(file))
-    }
-}
-
-/// Refuses a file that is there and cannot be written, before work is spent on its content.
-///
-/// # Errors
-/// It is read-only, a folder, not this user's to write, or an input of this process.
-pub fn expect_writable(path: &Path) -> Result<()> {
-    if is_stdout(path) {
-        return Ok(());
-    }
-    expect_no_input(path)?;
-    let fail = |e| Error::file("write", path, e);
-    match fs::metadata(path) {
-        Ok(meta) if meta.is_file() => target(path).map(|_| ()).map_err(fail),
-        Ok(meta) if meta.is_dir() => Err(fail(io::ErrorKind::IsADirectory.into())),
-        _ => Ok(()),
-    }
-}
-
-/// Whether a name stands for this program's stdout: `-`, `/dev/stdout`, or what stdout is
-/// redirected to.
-pub fn is_stdout(path: &Path) -> bool {
-    path == Path::new(STREAM) || fs::metadata(path).is_ok_and(|meta| is_open_as_stdout(&meta))
-}
-
-#[cfg(unix)]
-fn is_open_as_stdout(meta: &Metadata) -> bool {
-    use std::os::fd::AsFd;
-    use std::os::unix::fs::MetadataExt;
-
-    let stdout = io::stdout().as_fd().try_clone_to_owned().map(File::from);
-    stdout
-        .and_then(|out| out.metadata())
-        .is_ok_and(|out| (out.dev(), out.ino()) == (meta.dev(), meta.ino()))
-}
-
-#[cfg(not(unix))]
-fn is_open_as_stdout(_: &Metadata) -> bool {
-    false
-}
-
-/// Whether a name leads to a regular file that is not stdout.
-pub fn is_regular(path: &Path) -> bool {
-    fs::metadata(path).is_ok_and(|meta| meta.is_file()) && !is_stdout(path)
-}
-
-/// Whether two names lead to the same regular file.
-pub fn same(a: &Path, b: &Path) -> bool {
-    is_regular(a) && fs::canonicalize(a).is_ok_and(|a| fs::canonicalize(b).is_ok_and(|b| a == b))
-}
-
-/// A temporary file in the folder of `path`, with the permissions of a new file.
-fn temporary_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
-    let folder = match path.parent() {
-        Some(p) if !p.as_os_str().is_empty() => p,
-        _ => Path::new("."),
-    };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".cordon-");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder).map_err(|e| match e.kind() {
-        // The temporary file's name is of no use to anybody.
-        io::ErrorKind::NotFound => io::Error::new(e.kind(), "there is no such folder"),
-        io::ErrorKind::PermissionDenied => {
-            io::Error::new(e.kind(), "the folder does not take new files")
-        }
-        _ => e,
-    })
-}
-
-/// Writes a file. A regular one is replaced as a whole (into a temporary file beside it, then
-/// renamed: a reader sees the old content or the new, never a part) and keeps its permissions;
-/// symbolic links are followed; pipes and devices are written through; `-` is stdout.
-///
-/// # Errors
-/// The file is read-only or an input of this process, or file or folder cannot be written.
-pub fn write_atomically(path: &Path, content: &[u8]) -> Result<()> {
-    write_whole(path, |out| Ok(out.write_all(content)?))
-}
-
-/// As [`write_atomically`], for content that is written bit by bit and need not fit the
-/// memory. Where `content` fails no regular file changes.
-///
-/// # Errors
-/// As [`write_atomically`], or `content` fails.
-pub fn write_whole(path: &Path, content: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
-    expect_no_input(path)?;
-    write_regardless(path, content)
-}
-
-/// As [`write_whole`], for a file that is read and written anew with what has changed.
-///
-/// # Errors
-/// As [`write_whole`], but for inputs.
-pub fn write_regardless(
-    path: &Path,
-    content: impl FnOnce(&mut dyn Write) -> Result<()>,
-) -> Result<()> {
-    let fail = |e| Error::file("write", path, e);
-    // An output error inside is about this file.
-    let named = |e| match e {
-        Error::Output(e) => fail(e),
-        e => e,
-    };
-    match target(path).map_err(fail)? {
-        Target::Stdout => {
-            let mut out = io::BufWriter::new(io::stdout().lock());
-            content(&mut out)?;
-            Ok(out.flush()?)
-        }
-        Target::Through(file) => {
-            let mut out = io::BufWriter::new(file);
-            content(&mut out).map_err(named)?;
-            out.flush().map_err(fail)
-        }
-        Target::Whole(at, permissions) => {
-            let mut file = temporary_beside(&at).map_err(fail)?;
-            let mut out = io::BufWriter::new(file.as_file_mut());
-            content(&mut out).map_err(named)?;
-            out.flush().map_err(fail)?;
-            drop(out);
-            if let Some(permissions) = permissions {
-                file.as_file().set_permissions(permissions).map_err(fail)?;
-            }
-            file.as_file().sync_all().map_err(fail)?;
-            file.persist(&at).map_err(|e| fail(e.error))?;
-            Ok(())
-        }
-    }
 }

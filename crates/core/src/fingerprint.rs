@@ -11,7 +11,7 @@ impl Default for Fingerprint {
 }
 
 impl Fingerprint {
-    /// Adds bytes.
+    /// Continues the hash with these bytes.
     pub fn add(&mut self, bytes: &[u8]) {
         for byte in bytes {
             self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
@@ -24,7 +24,7 @@ impl Fingerprint {
         self.add(&[0xff]);
     }
 
-    /// Sixteen hexadecimal digits.
+    /// The hash as sixteen hexadecimal digits.
     pub fn hex(self) -> String {
         format!("{:016x}", self.0)
     }

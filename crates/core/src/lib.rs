@@ -13,7 +13,6 @@
 pub mod error;
 pub mod evidence;
 pub mod exact;
-#[cfg(feature = "files")]
 pub mod files;
 pub mod fingerprint;
 pub mod linear;

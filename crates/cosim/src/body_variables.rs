@@ -58,7 +58,7 @@ pub(super) use doubles_at_once;
 /// How many parameters a [`Body`] has.
 pub(super) const COUNT: usize = 9;
 
-/// The parameters' table.
+/// Gains and body as parameters of a unit, with their units of measurement.
 pub(super) fn parameters() -> Vec<Variable> {
     let Body { gravity, mass, thrust, torque, arm, inertia: [ixx, iyy, izz], yaw } =
         Body::default();
@@ -79,7 +79,7 @@ pub(super) fn parameters() -> Vec<Variable> {
     table.into_iter().map(parameter).collect()
 }
 
-/// The four rotors.
+/// The signals of the four rotors, `w1` to `w4`.
 pub(super) fn rotors(causality: Causality) -> Vec<Variable> {
     let text = "speed of a rotor, as the deviation from hover";
     let zero = || Value::Real(0.0);

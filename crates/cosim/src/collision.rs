@@ -13,7 +13,7 @@ use super::plant::Integrator;
 /// Something that happened to two drones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
-    /// When, in seconds.
+    /// Time of the event in seconds.
     pub time: f64,
     /// The two drones, smaller number first.
     pub drones: (usize, usize),
@@ -53,9 +53,9 @@ impl EventKind {
 /// A drone along an axis at a grid point, as far as its further motion depends on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample {
-    /// Position in m.
+    /// Position along the line, in metres.
     pub x: f64,
-    /// Velocity in m/s.
+    /// Velocity along the line, in metres a second.
     pub v: f64,
     /// Acceleration in m/s2: along x it is g theta.
     pub a: f64,

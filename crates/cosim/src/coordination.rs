@@ -101,7 +101,7 @@ pub enum Law {
     Coverage {
         /// Identifier in `0 .. count`.
         id: usize,
-        /// Number of drones.
+        /// Number of drones in the line, at least 3.
         count: usize,
         /// Left end of the segment.
         min: Rational,

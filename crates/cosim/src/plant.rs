@@ -123,7 +123,7 @@ impl Plant {
 }
 
 impl Dynamics {
-    /// Of a body.
+    /// The coefficients of a body's equations of motion.
     pub(super) fn of(body: &Body) -> Self {
         Self {
             body: *body,

@@ -25,7 +25,7 @@ pub struct Quotient(Arc<Terms>);
 #[derive(Debug)]
 struct Terms {
     num: BigInt,
-    /// Positive.
+    /// The denominator, always positive.
     den: Arc<BigUint>,
 }
 

@@ -6,7 +6,7 @@ use cordon_core::Rational;
 /// The directions in which drones are told where to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
-    /// Along the line.
+    /// Along the line of drones.
     X,
     /// Across it, for planar protocols.
     Y,
@@ -27,7 +27,7 @@ impl Axis {
 pub struct Track {
     /// Where they are told to be.
     pub desired: Vec<f64>,
-    /// Where they are.
+    /// Position of each drone, in metres.
     pub actual: Vec<f64>,
 }
 
@@ -43,7 +43,7 @@ pub struct Height {
 /// A variable of a unit, at every grid point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
-    /// `unit.variable`: `plant0.theta`.
+    /// Unit and variable: `plant0.theta`.
     pub name: String,
     /// Symbol of its physical unit, `1` of a pure number.
     pub unit: String,
@@ -63,11 +63,11 @@ impl Series {
 pub struct Record {
     /// What was run, for people.
     pub title: String,
-    /// Number of drones.
+    /// Number of drones in the line.
     pub count: usize,
     /// Grid points in seconds, ascending.
     pub times: Vec<f64>,
-    /// Along the line.
+    /// The track along the line.
     pub x: Track,
     /// Across it, where drones fly in the plane.
     pub y: Option<Track>,
@@ -98,9 +98,9 @@ pub struct Setup {
     pub period: u32,
     /// Communication step in s.
     pub tau: Rational,
-    /// `euler` or `exact`.
+    /// How plants integrate: `euler` or `exact`.
     pub integrator: String,
-    /// `jacobi` or `gauss-seidel`.
+    /// How the master exchanges values: `jacobi` or `gauss-seidel`.
     pub master: String,
     /// In which order drones updated, where it was not all at once.
     pub order: Option<Vec<usize>>,

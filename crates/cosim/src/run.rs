@@ -197,7 +197,7 @@ impl Row {
         }
     }
 
-    /// Reads the units.
+    /// Takes the positions from the units after a step.
     fn read(&mut self, desired: &[Vec<usize>], master: &Master, step: u64) -> Result<()> {
         // Of straight lines the positions are all.
         let known = if self.straight { var::VX } else { var::X + STATE };

@@ -237,13 +237,13 @@ impl Causality {
 /// The type of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Doubles.
+    /// A double, with a unit of measurement.
     Real,
     /// Whole numbers of 64 bits.
     Integer,
     /// True or false.
     Boolean,
-    /// Text.
+    /// Text of any length.
     Text,
     /// An exact rational; outside the program it travels as text `p/q`.
     Exact,
@@ -274,7 +274,7 @@ pub enum Value {
     Boolean(bool),
     /// Text.
     Text(Arc<str>),
-    /// An exact rational.
+    /// An exact number, which FMI sends as text.
     Exact(Quotient),
 }
 

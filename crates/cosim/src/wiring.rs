@@ -218,7 +218,7 @@ impl Wiring {
         }
     }
 
-    /// `unit.variable`, for messages.
+    /// Unit and variable, as messages name them: `plant0.x`.
     pub(super) fn full_name(&self, port: Port) -> String {
         let named = self.units.get(port.unit).and_then(|u| {
             let v = u.variables().get(port.variable)?;

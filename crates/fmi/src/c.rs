@@ -5,7 +5,7 @@ use std::ffi::{c_char, c_int, c_uint, c_void};
 pub(crate) type Instance = *mut c_void;
 pub(crate) type Status = c_int;
 
-/// `fmi2CallbackFunctions`.
+/// The callbacks of an importer, `fmi2CallbackFunctions`.
 #[repr(C)]
 pub(crate) struct Callbacks {
     pub logger: Logger2,

@@ -50,7 +50,7 @@ pub enum Type {
 /// A variable of an FMU.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Variable {
-    /// Name, for messages.
+    /// Name of the variable, which messages show.
     pub name: String,
     /// Value reference: by it the C functions know the variable.
     pub reference: u32,

@@ -27,9 +27,9 @@ const WARNING: c_int = 1;
 const FATAL: c_int = 4;
 const PENDING: c_int = 5;
 
-/// `fmi2CoSimulation` of `fmi2Type`.
+/// The value `fmi2CoSimulation` of `fmi2Type`.
 const CO_SIMULATION: c_int = 1;
-/// `fmi2DoStepStatus` of `fmi2StatusKind`.
+/// The value `fmi2DoStepStatus` of `fmi2StatusKind`.
 const DO_STEP_STATUS: c_int = 0;
 
 /// An instance. Dropping it terminates and frees it.

@@ -73,7 +73,7 @@ impl Remote {
         Ok(remote)
     }
 
-    /// As [`Instance::initialise`](crate::instance::Instance::initialise).
+    /// Initialises the instance, as [`Instance::initialise`](crate::instance::Instance::initialise).
     pub fn initialise(&mut self, beginning: Beginning) -> Reply {
         self.call(&Order::Initialise(beginning)).unwrap_or_else(Reply::failed)
     }

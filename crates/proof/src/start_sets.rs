@@ -31,9 +31,9 @@ use num_traits::{Signed, Zero};
 /// The range of a generator's coefficient.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coefficient {
-    /// Above 0.
+    /// Any number above 0.
     Positive,
-    /// 0 or above.
+    /// Any number from 0 on.
     NonNegative,
     /// Any real number.
     Free,

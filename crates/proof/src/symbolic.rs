@@ -95,7 +95,7 @@ impl<E: Expression> Oracle<E> {
 /// scalar on which the spec is executed. Constants need no oracle.
 #[derive(Clone, Debug)]
 pub(crate) struct Symbol<E> {
-    /// The expression.
+    /// What the number is, in terms of the start.
     pub expression: E,
     oracle: Option<Rc<Oracle<E>>>,
 }

@@ -9,5 +9,6 @@ pub mod projection;
 pub mod protocol;
 pub mod scenario;
 pub mod simulate;
+#[cfg(feature = "swarm")]
 pub mod swarm;
 pub mod trace;

@@ -120,7 +120,7 @@ impl FlightArgs {
         }
     }
 
-    /// Where FMUs run.
+    /// Whether foreign FMUs fly in processes of their own.
     fn isolation(&self) -> Result<Isolation> {
         if self.in_process {
             return Ok(Isolation::InProcess);
@@ -203,7 +203,7 @@ impl FlightArgs {
     }
 }
 
-/// Runs the co-simulation.
+/// Flies a scenario or a batch, and prints what came of it.
 pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let out_format = args.out.as_deref().map(|path| args.format_of(path)).transpose()?;
     let mut swarm = args.flight.swarm(&args.scenario)?;

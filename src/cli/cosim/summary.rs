@@ -124,7 +124,7 @@ pub struct Least {
     pub size: f64,
     /// The two drones, in their order.
     pub drones: (usize, usize),
-    /// The grid point.
+    /// The row of the table, from 0.
     pub row: usize,
 }
 

@@ -13,12 +13,12 @@ use cordon_core::{Outcome, Result};
 /// Arguments of `cordon export`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// To what.
+    /// The format to export to.
     #[command(subcommand)]
     pub target: Target,
 }
 
-/// The formats.
+/// Formats of other tools.
 #[derive(Subcommand, Debug)]
 pub enum Target {
     /// Inductive steps for a fixed number of drones as SMT-LIB 2
@@ -33,7 +33,7 @@ pub enum Target {
     Ssp(Box<assembly::ExportArgs>),
 }
 
-/// Exports.
+/// Writes the chosen format.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     match &args.target {
         Target::Smt2(args) => smt2::run(args, out),

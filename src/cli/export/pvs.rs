@@ -26,7 +26,7 @@ pub struct Args {
 /// Most drones of a scenario theory: its start is a chain of as many conditions.
 const MAX_DRONES: usize = 1_000;
 
-/// Exports.
+/// Writes the theory to a file or to stdout.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let files = files(&instance(args)?);
     match &args.out {

@@ -69,11 +69,11 @@ struct Wind {
 
 /// How desired gaps become actual ones.
 enum Flight {
-    /// By convex combinations.
+    /// Bodies fly on convex combinations of desired positions.
     Convex(Cone),
     /// By combinations with some negative weights.
     Partly(Negative, Box<Mass>),
-    /// Not known.
+    /// Neither is proved; a negative sample where one was found.
     Unknown(Option<Negative>),
 }
 

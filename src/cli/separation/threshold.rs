@@ -82,7 +82,7 @@ impl LoopArgs {
     }
 }
 
-/// Brackets the gain.
+/// Brackets the gain from which on a response is negative.
 pub(in crate::cli) fn run(
     flags: &LoopArgs,
     digits: Option<usize>,

@@ -12,7 +12,7 @@ use cordon_core::Result;
 use cordon_proof::sweep::run::Progress;
 use cordon_proof::sweep::{Config, StartSpace};
 
-/// What progress counts.
+/// The unit in which progress counts.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum WorkUnit {
     DroneUpdates,

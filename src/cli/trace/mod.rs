@@ -210,7 +210,7 @@ impl Args {
         }
     }
 
-    /// Decimal places.
+    /// Decimal places of rounded numbers.
     fn places(&self) -> usize {
         self.digits.unwrap_or(4)
     }

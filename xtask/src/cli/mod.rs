@@ -13,7 +13,7 @@ use cordon_core::{Outcome, Result};
 #[derive(Parser, Debug)]
 #[command(name = "cargo xtask", version, about, long_about = None, after_help = EXIT_CODES)]
 pub struct Cli {
-    /// What to do.
+    /// The task to run.
     #[command(subcommand)]
     pub command: Command,
 }
@@ -21,7 +21,7 @@ pub struct Cli {
 const EXIT_CODES: &str = "Exit codes: 0 done, 1 refuted, 2 bad usage or input, \
                           3 inconclusive or not run, 4 rejected, 70 internal fault, 74 I/O error";
 
-/// The commands.
+/// Tasks that need the repository.
 #[derive(Subcommand, Debug)]
 pub enum Command {
     /// Show what is known of each theorem: run now, verified by record, or not run

@@ -17,7 +17,7 @@ pub struct Args {
     pub out: Option<PathBuf>,
 }
 
-/// Who reads them.
+/// The file to write vectors for.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// proofs/rocq/theories/Vectors.v
@@ -30,7 +30,7 @@ pub enum Target {
     Json,
 }
 
-/// Exports.
+/// Prints the vectors.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let vectors = vectors();
     let text = match args.to {

@@ -66,7 +66,7 @@ impl Ending {
 /// What was found of a harness.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HarnessResult {
-    /// How it ended.
+    /// What Kani found.
     pub verdict: Ending,
     /// What is wrong, in words; empty where nothing is.
     pub detail: String,

@@ -13,10 +13,10 @@ const HOW: &str = "install it with `cargo install --locked kani-verifier --versi
                    `cargo kani setup`, or set it up with \
                    `cargo run -p cordon-kani --example kani -- setup` (kani/README.md)";
 
-/// An installed Kani.
+/// Kani, as it is installed here.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kani {
-    /// Its version: `0.67.0`.
+    /// Its version, as `0.67.0`.
     pub version: String,
 }
 

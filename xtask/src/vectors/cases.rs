@@ -272,7 +272,7 @@ fn of_count(count: usize) -> Vec<Vector> {
     all
 }
 
-/// All vectors.
+/// The vectors of every definition.
 pub(super) fn all() -> Vec<Vector> {
     let runs = SERIES.iter().flat_map(|s| s.ks.iter().map(|&k| s.vector(k)));
     runs.chain((3..=7).flat_map(of_count)).collect()

@@ -21,7 +21,7 @@ pub use show::{json, tsv};
 /// One value that a vector's definition is given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Value {
-    /// A rational number.
+    /// An exact number.
     Number(Rational),
     /// A count, an index or a counter.
     Count(u64),

@@ -15,7 +15,7 @@ use cordon_core::files;
 /// Where the certificates are, below the root.
 const FOLDER: &str = "proofs/certificates";
 
-/// Certificates in `proofs/certificates`.
+/// The tier of committed certificates, `proofs/certificates`.
 #[derive(Debug)]
 pub struct Certificates {
     folder: PathBuf,

@@ -108,12 +108,12 @@ struct Ran {
     seconds: f64,
 }
 
-/// The Rocq development.
+/// The tier of the Rocq development.
 pub fn rocq(context: Context<'_>) -> External {
     External::new(ROCQ, context)
 }
 
-/// The Lean mirror.
+/// The tier of the Lean mirror.
 pub fn lean(context: Context<'_>) -> External {
     External::new(LEAN, context)
 }

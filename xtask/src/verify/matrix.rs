@@ -15,20 +15,20 @@ pub enum Cell {
     NotClaimed(String),
     /// Neither run now nor recorded: with the reason.
     NotRun(String),
-    /// Run now.
+    /// The tier was run just now.
     Run {
-        /// What was found.
+        /// What this run found.
         verdict: TierVerdict,
-        /// What was covered.
+        /// Which cases this run covered.
         scope: String,
         /// How long it took, in seconds.
         seconds: f64,
     },
     /// Verified by record: the sources are those of the record.
     Recorded {
-        /// What was found.
+        /// What the recorded run found.
         verdict: TierVerdict,
-        /// What was covered.
+        /// Which cases the recorded run covered.
         scope: String,
         /// When, and by what.
         origin: Origin,
@@ -45,7 +45,7 @@ pub enum Cell {
 /// Where a record comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Origin {
-    /// When, in UTC.
+    /// Date of the recorded run, in UTC.
     pub date: String,
     /// What ran, with its version.
     pub tool: String,

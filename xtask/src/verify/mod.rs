@@ -60,9 +60,9 @@ pub enum Status {
     NotClaimed(String),
     /// It was not run: with the reason.
     NotRun(String),
-    /// It was run.
+    /// The tier was run.
     Run {
-        /// What it found.
+        /// What the run found.
         verdict: TierVerdict,
         /// What was covered, in words.
         scope: String,
@@ -99,7 +99,7 @@ pub trait Tier {
 /// What the tiers need to know.
 #[derive(Clone, Copy, Debug)]
 pub struct Context<'c> {
-    /// The repository's root.
+    /// The root of the repository.
     pub root: &'c Path,
     /// Names of the tiers that take minutes and are run on request only.
     pub run: &'c [String],

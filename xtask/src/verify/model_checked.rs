@@ -24,7 +24,7 @@ pub const RECORD: &str = "kani/run.json";
 const SECONDS: u64 = 60;
 const MEBIBYTES: u64 = 4096;
 
-/// Harnesses of `kani/`.
+/// The tier of model-checked harnesses, `kani/`.
 #[derive(Debug)]
 pub struct ModelChecked {
     root: PathBuf,

@@ -57,13 +57,13 @@ pub struct Entry {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Found {
-    /// It holds.
+    /// The theorem holds there.
     Holds,
     /// A counterexample was found.
     Refuted,
     /// A certificate or proof was not accepted.
     Rejected,
-    /// Neither.
+    /// The tool gave no answer.
     Inconclusive,
 }
 

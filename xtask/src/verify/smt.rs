@@ -21,7 +21,7 @@ const DRONES: std::ops::RangeInclusive<usize> = 3..=6;
 /// Longest time for one query, in seconds. All of them together take about two.
 const SECONDS: u32 = 30;
 
-/// The solver.
+/// The solver that is called.
 const SOLVER: &str = "z3";
 
 impl Tier for Smt {

@@ -28,11 +28,11 @@ const COMPLETE: Size = Size { drones: 8, denominator: 12, steps: 16 };
 
 /// How far a sweep reaches.
 struct Size {
-    /// Most drones.
+    /// Largest number of drones.
     drones: usize,
     /// Largest denominator of the weights.
     denominator: u32,
-    /// Last step.
+    /// Last step that is looked at.
     steps: usize,
 }
 

@@ -20,7 +20,7 @@ pub struct Affine {
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Parts {
     constant: Rational,
-    /// Without trailing zeros.
+    /// By index of the variable, without trailing zeros.
     coefficients: Vec<Rational>,
 }
 

@@ -10,11 +10,11 @@ use crate::simplex::{Solution, Term, Work, maximise_within};
 /// What is demanded of a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
-    /// form > 0
+    /// The form is above 0.
     Positive,
-    /// form >= 0
+    /// The form is 0 or above.
     NonNegative,
-    /// form = 0
+    /// The form is 0.
     Zero,
 }
 

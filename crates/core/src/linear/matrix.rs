@@ -35,13 +35,13 @@ pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
     a.iter().map(|row| before(row, b)).collect()
 }
 
-/// The unit matrix.
+/// The unit matrix of so many rows and columns.
 pub fn unit(size: usize) -> Matrix {
     let row = |i| (0..size).map(move |j| if i == j { Rational::one() } else { Rational::zero() });
     (0..size).map(|i| row(i).collect()).collect()
 }
 
-/// Rows become columns.
+/// The matrix whose rows are the columns of this one.
 pub fn transposed(matrix: &Matrix) -> Matrix {
     let width = matrix.first().map_or(0, Vec::len);
     (0..width).map(|j| matrix.iter().filter_map(|row| row.get(j).cloned()).collect()).collect()

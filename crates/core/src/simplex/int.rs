@@ -56,7 +56,7 @@ impl Int {
         }
     }
 
-    /// a*b - c*d.
+    /// The determinant a*b - c*d, in machine words where it fits.
     pub fn determinant(a: &Self, b: &Self, c: &Self, d: &Self) -> Self {
         if let (Self::Small(a), Self::Small(b), Self::Small(c), Self::Small(d)) = (a, b, c, d) {
             // Each product is at most 2^126 in magnitude.

@@ -33,7 +33,7 @@ pub enum Solution {
 pub struct Work(Cell<u64>);
 
 impl Work {
-    /// So many units.
+    /// A budget of so many units of work.
     pub fn limited(units: u64) -> Self {
         Self(Cell::new(units))
     }

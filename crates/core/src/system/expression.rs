@@ -41,7 +41,7 @@ enum Node {
 pub struct Comparison {
     /// The side that is said to be no less.
     pub greater: Expression,
-    /// The other side.
+    /// The side that is said to be no greater.
     pub less: Expression,
     /// `<`, `<=` or `=` as the sign of the difference.
     pub relation: Sign,
@@ -50,9 +50,9 @@ pub struct Comparison {
 /// What is wrong with an expression, and at which character.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SyntaxError {
-    /// Offset in bytes.
+    /// Where the text stops making sense, in bytes from its beginning.
     pub at: usize,
-    /// In words.
+    /// What was found there and what was expected.
     pub message: String,
 }
 
@@ -117,7 +117,7 @@ pub trait Words {
     fn sum(&self, inner: &Expression) -> Result<String, String>;
 }
 
-/// Numbers only.
+/// Reads constants: no name means anything.
 struct Numbers;
 
 impl Meaning for Numbers {

@@ -14,14 +14,14 @@ use crate::{Error, Rational, Result};
 pub struct Flow {
     /// Its parts; the schedule says in which order modes act, where they do in turn.
     pub system: System,
-    /// When they change.
+    /// When the active mode may change.
     pub switching: Switching,
 }
 
 /// When modes change; times in seconds, or whatever the derivatives are taken by.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Switching {
-    /// At any time.
+    /// At any time, as often as it likes.
     Any,
     /// A mode that begins to act acts for so long at least.
     Dwell(Rational),

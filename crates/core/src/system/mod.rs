@@ -45,11 +45,11 @@ pub struct Variable {
 pub struct Parameter {
     /// Its name in expressions.
     pub name: String,
-    /// Least value.
+    /// Lower end of its range.
     pub low: Rational,
-    /// Greatest value.
+    /// Upper end of its range; equal to `low` for a number.
     pub high: Rational,
-    /// How it varies.
+    /// Whether it is fixed for a run or chosen anew in each step.
     pub kind: ParameterKind,
 }
 
@@ -90,7 +90,7 @@ impl Parameter {
 pub struct Predicate {
     /// As written, for one choice of agents: `x0 < x1`.
     pub text: String,
-    /// The comparison.
+    /// How the form compares with 0.
     pub is: Constraint,
 }
 
@@ -141,7 +141,7 @@ impl Predicate {
 /// What is claimed of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Claim {
-    /// What holds.
+    /// What holds of the state in the steps that `when` names.
     pub predicate: Predicate,
     /// The first step at which it has to.
     pub from: usize,
@@ -179,7 +179,7 @@ pub enum Convergence {
 pub struct System {
     /// What it is about, for people.
     pub title: String,
-    /// Number of agents.
+    /// Number of agents, at least 1.
     pub agents: usize,
     /// State variables of an agent.
     pub variables: Vec<Variable>,
@@ -197,7 +197,7 @@ pub struct System {
     pub links: Vec<(usize, usize)>,
     /// What is assumed of the start.
     pub starts: Vec<Predicate>,
-    /// What is claimed.
+    /// What is claimed of every run from the start set.
     pub claims: Vec<Claim>,
     /// Whether convergence is claimed, and to what.
     pub converges: Option<Convergence>,

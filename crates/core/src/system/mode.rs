@@ -20,7 +20,7 @@ struct Row {
 /// An affine map of the state whose coefficients depend on the parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mode {
-    /// Its name.
+    /// What the protocol calls it.
     pub name: String,
     rows: Vec<Row>,
 }

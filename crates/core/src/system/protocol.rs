@@ -11,7 +11,7 @@ use crate::Rational;
 /// A protocol whose step is one generic function. Implement it for a type of your own, and
 /// [`System::of`](super::System::of) makes it a system for every engine.
 pub trait Protocol {
-    /// Number of agents.
+    /// Number of agents, at least 1.
     fn agents(&self) -> usize;
 
     /// Names of the state variables of an agent, letters only.
@@ -42,9 +42,9 @@ pub trait Protocol {
 pub struct Coverage {
     /// Number of drones, at least 2.
     pub count: usize,
-    /// Left end.
+    /// Position of the first drone, the left end of the segment.
     pub min: Rational,
-    /// Right end.
+    /// Position of the last drone, the right end of the segment.
     pub max: Rational,
     /// Least and greatest weight.
     pub eps: (Rational, Rational),
@@ -84,7 +84,7 @@ impl Protocol for Coverage {
 /// Consensus (equation 6) on a graph.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Consensus<G> {
-    /// Who hears whom.
+    /// Which agents each one hears.
     pub graph: G,
     /// Least and greatest weight.
     pub eps: (Rational, Rational),

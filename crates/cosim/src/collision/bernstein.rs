@@ -56,7 +56,7 @@ impl Bernstein<MOTION> {
 }
 
 impl<const N: usize> Bernstein<N> {
-    /// The same everywhere.
+    /// The polynomial that has this value everywhere.
     pub(super) fn constant(value: f64) -> Self {
         Self([value; N])
     }

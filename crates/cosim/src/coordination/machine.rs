@@ -14,7 +14,7 @@ use crate::unit::Value;
 /// The state machine of one drone. A state is there but while the spec turns it into the next.
 #[derive(Clone, Debug)]
 pub(super) enum Machine {
-    /// Listing 6.
+    /// The paper's local machine (listing 6); no state before the first message.
     Local(Box<LocalParams<Quotient>>, Option<SimState<Quotient>>),
     /// Equations 6 and 8, seen from one drone: the drone itself is number 0, its neighbours
     /// follow, linked with it alone.
@@ -136,7 +136,7 @@ impl Machine {
         }
     }
 
-    /// The drone's position.
+    /// The desired position; `None` before the first message.
     pub(super) fn position(&self) -> Option<&Quotient> {
         match self {
             Self::Local(_, s) => s.as_ref().map(|s| &s.st.own),

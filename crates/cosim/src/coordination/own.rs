@@ -170,7 +170,7 @@ pub(super) struct OwnMachine {
     limit: u32,
     /// Ticks since the last update.
     pub counter: u32,
-    /// Updates so far.
+    /// Updates that were made so far.
     updates: u64,
     /// The drone's own variables.
     pub state: Vec<Quotient>,
@@ -201,7 +201,7 @@ impl OwnMachine {
         rows.any(|[_, _, heard]| heard.get(input).is_some_and(|a| !a.is_zero()))
     }
 
-    /// The drone's position.
+    /// The desired position, which is one of the state variables.
     pub fn position(&self) -> Option<&Quotient> {
         self.state.get(self.law.position)
     }

@@ -28,7 +28,7 @@ pub enum Isolation {
     Process {
         /// A program that calls [`serve`] when it is given the arguments.
         program: PathBuf,
-        /// Its arguments.
+        /// Arguments after which that program reads calls from its standard input.
         arguments: Vec<String>,
         /// Longest time of a call. Far more than any call takes: what takes longer hangs.
         limit: Duration,

@@ -111,7 +111,7 @@ impl Slave {
         Ok(Self::of(model, name, token))
     }
 
-    /// A new instance.
+    /// An instance that was not set up yet.
     fn of(model: Model, name: &str, token: &str) -> Self {
         Self {
             name: name.to_owned(),

@@ -35,7 +35,7 @@ pub enum Mode {
     Instantiated,
     /// Between entering and leaving the initialisation.
     Initialisation,
-    /// Ready for steps.
+    /// Initialised, between two steps.
     Step,
     /// The run is over.
     Terminated,

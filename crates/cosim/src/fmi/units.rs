@@ -12,11 +12,11 @@ pub(crate) type Xml = Writer<Cursor<Vec<u8>>>;
 
 /// Names of the elements, which FMI and SSP have in different namespaces.
 pub(crate) struct Elements {
-    /// Around all units.
+    /// The element around all units of measurement.
     pub list: &'static str,
-    /// Around one.
+    /// The element of one unit of measurement.
     pub unit: &'static str,
-    /// Its exponents.
+    /// The element of its exponents in SI base units.
     pub base: &'static str,
 }
 

@@ -90,7 +90,7 @@ impl Ports {
         Ok(ports)
     }
 
-    /// Adds a connection.
+    /// Connects an output with an input.
     pub fn connect(&mut self, from: Port, to: Port) {
         for end in [&from, &to] {
             self.settings.entry(end.instance.clone()).or_default();
@@ -98,7 +98,7 @@ impl Ports {
         self.wires.insert((from, to));
     }
 
-    /// Sets a variable.
+    /// Gives a parameter its value.
     pub fn set(&mut self, Port { instance, variable }: Port, value: Json) {
         self.settings.entry(instance).or_default().insert(variable, value);
     }

@@ -436,7 +436,7 @@ enum Fit {
     Whole,
     /// It is a variable of another name, of another tool's FMU there.
     Renamed,
-    /// It is elsewhere.
+    /// The connection has no place in the swarm.
     Not,
 }
 

@@ -8,7 +8,7 @@ use plotters::prelude::*;
 use super::{Format, Plot, font};
 use cordon_core::{Error, Result};
 
-/// Size in pixels.
+/// Width and height in pixels.
 const SIZE: (u32, u32) = (1100, 640);
 
 /// Width of the legend beside the chart.

@@ -44,7 +44,7 @@ impl Block {
         }
     }
 
-    /// Its value.
+    /// The block's matrix at a point.
     fn at(&self, x: &[f64]) -> Matrix {
         let mut m = self.constant.clone();
         for (v, entries) in &self.coefficients {
@@ -100,7 +100,7 @@ fn solve(l: &Matrix, b: &[f64]) -> Vec<f64> {
 /// ever, the barrier has no least value.
 #[derive(Clone, Debug)]
 pub struct Program {
-    /// Number of variables.
+    /// Number of variables of the search.
     pub variables: usize,
     /// What has to be positive definite.
     pub blocks: Vec<Block>,

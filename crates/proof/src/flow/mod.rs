@@ -28,7 +28,7 @@ use cordon_core::{Error, Rational, Result};
 /// Most variables of the state: what is solved in doubles grows with their fourth power.
 const MOST_VARIABLES: usize = 24;
 
-/// Most ellipsoids.
+/// Most ellipsoids that one invariant may have.
 const MOST_NODES: usize = 200;
 
 /// Most corners of the box of inputs.
@@ -39,7 +39,7 @@ const MOST_VERTICES: usize = 64;
 pub struct Invariant {
     /// The certificate, accepted by the checker.
     pub certificate: Value,
-    /// Number of ellipsoids.
+    /// Number of ellipsoids in the certificate.
     pub ellipsoids: usize,
     /// By how much every claim could be stronger: with all of them as much stronger, the certificate is accepted too.
     pub spare: Rational,
@@ -48,11 +48,11 @@ pub struct Invariant {
 /// How a search ended.
 #[derive(Clone, Debug)]
 pub enum Answer {
-    /// With a proof.
+    /// The claims hold, and here is the invariant.
     Proved(Box<Invariant>),
     /// With ellipsoids, in doubles, in which the worst claim is missed by so much.
     Missed(f64),
-    /// Without.
+    /// No invariant of this kind was found, which decides nothing.
     Open,
 }
 

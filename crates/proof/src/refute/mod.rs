@@ -86,9 +86,9 @@ pub enum Extent {
 /// What was covered without a counterexample.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Coverage {
-    /// Number of drones.
+    /// Number of drones, at least 3.
     pub count: usize,
-    /// The weight eps.
+    /// The weight of the update.
     pub eps: Rational,
     /// How far the absence of a counterexample reaches.
     pub extent: Extent,
@@ -212,7 +212,7 @@ impl SymbolicRun {
         Self { params: params(eps, Affine::constant), placements: vec![region.placement()] }
     }
 
-    /// X^k .. X^{k+span}.
+    /// The placements X^k to X^{k+span}.
     fn placements(&mut self, k: usize, span: usize) -> &[Vec<Affine>] {
         while self.placements.len() <= k + span {
             let drones = self.placements.last().cloned().unwrap_or_default();

@@ -16,7 +16,7 @@ use cordon_core::linear::simplest::strictly_between;
 /// The variables are the positions of the internal drones, drone i being variable i-1.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Region {
-    /// Number of drones.
+    /// Number of drones, at least 3.
     pub count: usize,
     /// Its extreme points, as positions of the internal drones.
     pub points: Vec<Vec<Rational>>,

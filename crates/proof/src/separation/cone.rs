@@ -17,7 +17,7 @@ use super::modes::{Mode, modes};
 pub struct Cone {
     /// F: the cone is where no row is negative.
     pub rows: Matrix,
-    /// M.
+    /// The matrix M of F A = M F, without a negative entry.
     pub multipliers: Matrix,
     /// The readouts as combinations of the rows.
     pub readouts: Matrix,

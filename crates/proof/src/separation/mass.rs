@@ -27,7 +27,7 @@ pub struct Mass {
     pub tail: Rational,
     /// Sample k is at most `scale rate^k`.
     pub scale: Rational,
-    /// Below 1.
+    /// The factor by which the tail shrinks in `block` samples, below 1.
     pub rate: Rational,
     /// The system with s in its state, and readouts s - y and s + y.
     pub bounded: Response,

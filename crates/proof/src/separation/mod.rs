@@ -42,7 +42,7 @@ pub struct Response {
     pub matrix: Matrix,
     /// The starts, each with a name for how much of it there is.
     pub starts: Vec<(String, Vec<Rational>)>,
-    /// The forms.
+    /// The forms c whose responses are asked for.
     pub readouts: Matrix,
 }
 
@@ -51,11 +51,11 @@ pub struct Response {
 pub struct Negative {
     /// Number of the start.
     pub start: usize,
-    /// Steps from there.
+    /// Samples after the impulse.
     pub step: usize,
     /// Number of the readout.
     pub readout: usize,
-    /// Its value.
+    /// The response there, below 0.
     pub value: Rational,
 }
 
@@ -64,9 +64,9 @@ pub struct Negative {
 pub enum Finding {
     /// No readout is ever negative, from no nonnegative combination of the starts.
     NonNegative(Cone),
-    /// One is.
+    /// A response is negative at this sample.
     Negative(Negative),
-    /// Neither was found.
+    /// Neither a cone nor a negative sample was found.
     Undecided,
 }
 

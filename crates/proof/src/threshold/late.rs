@@ -13,7 +13,7 @@ use crate::refute::departing::{Order, crossing, order};
 /// A weight at which order was proved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kept {
-    /// The weight.
+    /// The weight up to which order is kept.
     pub eps: Rational,
     /// Half-spaces of the invariant.
     pub half_spaces: usize,
@@ -25,7 +25,7 @@ pub struct Kept {
 /// 10^-digits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bracket {
-    /// Number of drones.
+    /// Number of drones, at least 3.
     pub count: usize,
     /// Steps that a message may be late.
     pub longest: usize,

@@ -12,9 +12,9 @@ use crate::separation::{Cone, Finding, Negative, Response, decide, negative, non
 /// A gain with what was found there, and its certificate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Side<T> {
-    /// The gain.
+    /// The gain lambda_P, in 1/s.
     pub gain: Rational,
-    /// What was found.
+    /// The certificate or the negative sample at this gain.
     pub found: T,
     /// What the independent checker has accepted.
     pub certificate: Value,

@@ -10,7 +10,7 @@ use crate::scenario::{Own, Scenario};
 use cordon_core::Rational;
 use cordon_core::system::Map;
 
-/// One agent's machine.
+/// The machine of one agent: what it knows and nothing else.
 struct Machine {
     /// The places of its own variables in the state.
     own: Range<usize>,

@@ -44,7 +44,7 @@ pub struct Draft {
     pub period: Option<u32>,
     /// Phase of the first update.
     pub phase: Option<Phase>,
-    /// Seconds a tick.
+    /// Length of a tick in seconds.
     pub tau: Option<Rational>,
     /// Protocol steps a trace shows; 20 by default.
     pub steps: Option<u64>,
@@ -52,7 +52,7 @@ pub struct Draft {
     pub graph: Option<String>,
     /// Who hears whom, by pairs of drones.
     pub edges: Option<Vec<(usize, usize)>>,
-    /// Wanted displacements (formation).
+    /// Wanted displacements of a formation, one an agent.
     pub displacement: Option<Vec<Rational>>,
     /// Values of an own protocol's parameters, by name.
     pub parameters: BTreeMap<String, Rational>,

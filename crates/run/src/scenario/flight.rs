@@ -13,9 +13,9 @@ pub struct Flight {
     pub lambda_p: Option<Rational>,
     /// Gain lambda_A of the attitude, in 1/s.
     pub lambda_a: Option<Rational>,
-    /// `euler` or `exact`.
+    /// How plants integrate: `euler` or `exact`.
     pub integrator: Option<String>,
-    /// `jacobi` or `gauss-seidel`.
+    /// How the master exchanges values: `jacobi` or `gauss-seidel`.
     pub master: Option<String>,
     /// `exact` or `double`: how positions travel between drones.
     pub exchange: Option<String>,
@@ -120,7 +120,7 @@ pub enum FaultKind {
         /// Between 0 and 1.
         probability: Rational,
     },
-    /// Messages arrive late.
+    /// Messages arrive so many steps late.
     Delay {
         /// From which drone to which; every link by default.
         link: Option<(usize, usize)>,

@@ -43,17 +43,17 @@ pub enum Protocol {
     },
     /// Consensus on a graph (equation 6).
     Consensus {
-        /// Who hears whom.
+        /// Which agents each one hears.
         graph: Topology,
     },
     /// Formation on a graph (equation 8).
     Formation {
-        /// Who hears whom.
+        /// Which agents each one hears.
         graph: Topology,
         /// Sum of the wanted displacements of each drone from its neighbours.
         displacement: Vec<Rational>,
     },
-    /// A protocol file.
+    /// A protocol that a file defines.
     Own(Box<Own>),
 }
 

@@ -15,7 +15,7 @@ use cordon_core::{Error, Rational, Result};
 pub struct Own {
     /// The protocol file, as it was named.
     pub file: String,
-    /// What it says.
+    /// The file's text.
     pub text: String,
     /// The system, its ranges as the file has them.
     pub system: System,

@@ -13,7 +13,7 @@ use cordon_core::{Error, Outcome, Rational, Result};
 pub struct CheckedClaim {
     /// Its place in the file, from 1.
     pub number: usize,
-    /// As written.
+    /// The claim as the file has it.
     pub text: String,
     /// Whether it holds, at every step that it is about.
     pub holds: BTreeMap<u64, bool>,

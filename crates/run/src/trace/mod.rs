@@ -2,12 +2,14 @@
 
 mod check;
 mod claims;
+#[cfg(feature = "swarm")]
 mod extremes;
 mod positions;
 mod rows;
 
 pub use check::{Checked, applicable, check};
 pub use claims::{CheckedClaim, check_claims, out_of_range};
+#[cfg(feature = "swarm")]
 pub use extremes::decimal_widths;
 pub use positions::Positions;
 pub use rows::{Counted, Row, Rows, Selection, select, shown};

@@ -13,7 +13,7 @@ pub struct Positions(Kind);
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Kind {
-    /// In lowest terms.
+    /// Fractions in lowest terms.
     Lowest(Vec<Rational>),
     /// Over a common denominator, of which `power` is the part `den^k`.
     Common { answer: Answer, power: BigInt },

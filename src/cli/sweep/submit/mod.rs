@@ -63,7 +63,7 @@ struct Jobs<'a> {
     name: String,
     /// The arguments of `cordon sweep` that ask for the whole sweep.
     arguments: String,
-    /// Number of parts.
+    /// Number of shards.
     parts: usize,
     /// Cores of each part.
     threads: usize,

@@ -19,11 +19,11 @@ use cordon_run::trace::Positions;
 /// How numbers are written.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Numbers {
-    /// Rounded decimals.
+    /// Decimals, rounded to the places asked for.
     Decimal,
     /// Exact fractions.
     Fraction,
-    /// Both.
+    /// Fractions beside their decimals.
     Both,
 }
 

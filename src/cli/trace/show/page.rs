@@ -13,7 +13,7 @@ pub struct Page<'o> {
 }
 
 impl<'o> Page<'o> {
-    /// Opens the object.
+    /// Opens the JSON object.
     pub fn begin(out: &'o mut dyn Write) -> Result<Self> {
         write!(out, "{{")?;
         Ok(Self { out, fields: 0 })
@@ -26,7 +26,7 @@ impl<'o> Page<'o> {
         Ok(())
     }
 
-    /// A field.
+    /// Writes a field of the object.
     pub fn field(&mut self, name: &str, value: &Value) -> Result<()> {
         self.name(name)?;
         write!(self.out, "{}", indented(value, "  "))?;
@@ -44,7 +44,7 @@ impl<'o> Page<'o> {
         Ok(())
     }
 
-    /// Closes the object.
+    /// Closes the JSON object.
     pub fn end(self) -> Result<()> {
         writeln!(self.out, "\n}}")?;
         Ok(())

@@ -41,7 +41,7 @@ impl Folder {
         Ok(Self { _lock: lock, folder })
     }
 
-    /// Where it is.
+    /// The folder into which the archive is unpacked.
     pub fn path(&self) -> &Path {
         self.folder.path()
     }

@@ -28,10 +28,10 @@ pub struct MultiModel {
     /// How the master steps.
     #[serde(default)]
     pub algorithm: Option<MasterAlgorithm>,
-    /// Start in seconds.
+    /// Start time in seconds.
     #[serde(default)]
     pub start_time: Option<f64>,
-    /// End in seconds.
+    /// End time in seconds.
     #[serde(default)]
     pub end_time: Option<f64>,
     /// Variables to keep, by instance `{key}.instance`.
@@ -42,10 +42,10 @@ pub struct MultiModel {
 /// How the master steps.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MasterAlgorithm {
-    /// `fixed-step`.
+    /// Which algorithm: `fixed-step` alone is understood.
     #[serde(rename = "type")]
     pub kind: String,
-    /// Seconds a step.
+    /// Length of a step in seconds.
     #[serde(default)]
     pub size: Option<f64>,
 }

@@ -18,7 +18,7 @@ pub enum Order {
     /// No drones ever meet, whatever is late: half-spaces of an invariant, and the certificate that the
     /// independent checker has accepted.
     Kept(usize, Value),
-    /// Two meet.
+    /// Two drones meet in this run.
     Lost(Counterexample),
     /// Neither was found, by what ended the search.
     Open(String),

@@ -112,7 +112,8 @@ Limits: 3 to 50 drones, 600 positions with those that late messages are about, 1
   cordon prove 7.2 --drones 4 --eps 0..1
   cordon prove --protocol scenarios/own/weighted-coverage.toml
 
-Limits: one N up to 1,000,000; protocol files of 4 MiB and 600 state variables.",
+Limits: one N up to 1,000,000; protocol files of 4 MiB and 600 state variables, of which up to 200 have to vanish where \
+convergence is claimed.",
     ),
     (
         "check",
@@ -152,8 +153,9 @@ Limits: 3 to 9 drones, 8 steps, answers of 64 MiB.",
         "export pvs",
         "Example:
   cordon export pvs --scenario scenarios/paper.toml --out pvs
+  cordon export pvs --protocol scenarios/own/weighted-coverage.toml --out pvs
 
-Limits: 1,000 drones.",
+Limits: 1,000 drones; of a protocol file 20,000 ends of ranges in the proofs.",
     ),
     (
         "export into-cps",

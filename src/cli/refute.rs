@@ -13,6 +13,7 @@ use super::select::{FormArg, OutputFormat};
 use super::table::{self, abridged};
 use cordon_core::exact::fraction;
 use cordon_core::linear::simplest::fractions_within;
+use cordon_core::system::{Parameter, ParameterKind};
 use cordon_core::theorems;
 use cordon_core::{Error, Outcome, Rational, Result, progress, range};
 use cordon_proof::certificate::{self, Departure};
@@ -47,9 +48,9 @@ pub struct Args {
     /// Weight or range of weights, whatever the theorem says of them [default: the theorem's]
     #[arg(long, value_name = "E|LO..HI", allow_hyphen_values = true, conflicts_with = "protocol")]
     eps: Option<String>,
-    /// Of a range of weights, the fractions with denominators up to this are searched, 1 to 100
-    #[arg(long, value_name = "Q", default_value_t = 8)]
-    denominators: u32,
+    /// Of a range, the fractions with denominators up to this are searched, 1 to 100 [default: 8]
+    #[arg(long, value_name = "Q")]
+    denominators: Option<u32>,
     /// Last step, 0 to 1000
     #[arg(long, value_name = "K", default_value_t = 8)]
     steps: usize,
@@ -67,6 +68,11 @@ pub struct Args {
     format: OutputFormat,
 }
 
+/// Whether a constant has more than one value.
+fn has_range(p: &Parameter) -> bool {
+    p.kind == ParameterKind::Constant && p.fixed().is_none()
+}
+
 const MOST_DRONES: usize = 50;
 const MOST_STEPS: usize = 1_000;
 const MOST_DENOMINATORS: u32 = 100;
@@ -76,7 +82,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     args.check()?;
     if let Some((_, system)) = args.own.system()? {
         let search = own_protocol::Search {
-            denominators: args.denominators,
+            denominators: args.greatest(system.parameters.iter().any(has_range))?,
             steps: args.steps,
             start: args.start.as_deref().map(positions).transpose()?,
             file: args.out.clone(),
@@ -163,13 +169,22 @@ impl Args {
                 self.steps
             )));
         }
-        if !(1..=MOST_DENOMINATORS).contains(&self.denominators) {
-            return Err(Error::input(format!(
-                "denominators: `{}`: expected a number from 1 to {MOST_DENOMINATORS}",
-                self.denominators
-            )));
+        match self.denominators {
+            Some(given) if !(1..=MOST_DENOMINATORS).contains(&given) => Err(Error::input(format!(
+                "denominators: `{given}`: expected a number from 1 to {MOST_DENOMINATORS}"
+            ))),
+            _ => Ok(()),
         }
-        Ok(())
+    }
+
+    /// The greatest denominator; `ranged` says whether there is a range that it is about.
+    fn greatest(&self, ranged: bool) -> Result<u32> {
+        match self.denominators {
+            Some(given) if !ranged => Err(Error::input(format!(
+                "denominators: `{given}`: expected a range that they are about: nothing has one"
+            ))),
+            given => Ok(given.unwrap_or(own_protocol::DENOMINATORS)),
+        }
     }
 
     /// How steps depart from the protocol as written.
@@ -204,10 +219,11 @@ impl Args {
     /// The weights of --eps, by default those of the unit interval.
     fn weights(&self) -> Result<Vec<Rational>> {
         let Some(text) = &self.eps else {
-            let unit = fractions_within(&Rational::zero(), &Rational::one(), self.denominators);
-            return Ok(unit);
+            let most = self.greatest(true)?;
+            return Ok(fractions_within(&Rational::zero(), &Rational::one(), most));
         };
         let (lo, hi) = range::closed("eps", text)?;
+        let most = self.greatest(lo != hi)?;
         if lo == hi {
             return Ok(vec![lo]);
         }
@@ -216,11 +232,10 @@ impl Args {
                 "eps: `{text}`: expected a range of length 100 or less"
             )));
         }
-        let within = fractions_within(&lo, &hi, self.denominators);
+        let within = fractions_within(&lo, &hi, most);
         if within.is_empty() {
             return Err(Error::input(format!(
-                "eps: `{text}`: has no fraction with a denominator up to {}: expected a wider range or more --denominators",
-                self.denominators
+                "eps: `{text}`: has no fraction with a denominator up to {most}: expected a wider range or more --denominators"
             )));
         }
         Ok(within)

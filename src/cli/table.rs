@@ -7,15 +7,17 @@ use cordon_core::table::{line, lines, widths};
 use cordon_core::text::cut;
 use cordon_core::{Rational, Result};
 
-/// Widest table of placements, in characters: beyond that only first and last columns would be
-/// readable.
+/// Widest table of a run, in characters: wider ones are not readable in lines.
 const WIDEST: usize = 160;
+
+/// Widest table of a trace, in characters.
+const WIDEST_TRACE: usize = 200;
 
 /// Most characters of a number in such a table: the line that replays a run has all of it.
 const LONGEST: usize = 60;
 
-/// Most placements of a run that are shown whole; of longer runs its first and its last half as many.
-const MOST_PLACEMENTS: usize = 40;
+/// Most states of a run that are shown; of longer runs its first and its last half as many.
+const MOST_STATES: usize = 40;
 
 /// Writes a table whose first row is its header, all columns to the right.
 ///
@@ -29,7 +31,7 @@ pub fn write(rows: &[Vec<String>], out: &mut dyn Write) -> Result<()> {
 }
 
 /// Writes head and rows, all columns to the right; row by row as they come where the widths of
-/// the columns are known beforehand.
+/// the columns are known beforehand. Of wide tables the columns at both ends that fit.
 ///
 /// # Errors
 /// `out` cannot be written.
@@ -39,46 +41,130 @@ pub fn stream(
     rows: impl Iterator<Item = Vec<String>>,
     out: &mut dyn Write,
 ) -> Result<()> {
-    let Some(known) = known else {
-        let all: Vec<_> = std::iter::once(head.to_vec()).chain(rows).collect();
-        return write(&all, out);
+    let mut lines = std::iter::once(head.to_vec()).chain(rows);
+    let (gathered, mut widths) = match known {
+        None => {
+            let all: Vec<_> = lines.by_ref().collect();
+            let widths = widths(&all);
+            (all, widths)
+        }
+        Some(_) => (Vec::new(), widths(&[head.to_vec()])),
     };
-    let mut widths = widths(&[head.to_vec()]);
+    let known = known.unwrap_or_default();
     widths.iter_mut().zip(known).for_each(|(width, known)| *width = (*width).max(*known));
-    writeln!(out, "{}", line(head, &widths, |_| false))?;
-    for row in rows {
+    let gap = at_both_ends(&widths);
+    widths.splice(gap.clone(), (!gap.is_empty()).then_some(GAP.len()));
+    for mut row in gathered.into_iter().chain(lines) {
+        if row.len() >= gap.end {
+            row.splice(gap.clone(), (!gap.is_empty()).then(|| GAP.to_owned()));
+        }
         writeln!(out, "{}", line(&row, &widths, |_| false))?;
+    }
+    if let (Some(first), Some(last)) = (head.get(gap.start), head.get(gap.end.wrapping_sub(1)))
+        && !gap.is_empty()
+    {
+        writeln!(out, "(columns {first} to {last} are left out here: --format csv has all)")?;
     }
     Ok(())
 }
 
-/// Writes one line a placement, exact; of wide ones the columns that fit, of long runs the ends.
+/// What stands for columns or rows that are left out.
+const GAP: &str = "...";
+
+/// The columns in the middle that are left out, so that those at both ends fit.
+fn at_both_ends(widths: &[usize]) -> std::ops::Range<usize> {
+    let wide = |width: &usize| width + 2;
+    if widths.iter().map(wide).sum::<usize>() <= WIDEST_TRACE + 2 {
+        return 0..0;
+    }
+    let mut left = WIDEST_TRACE - GAP.len();
+    let (mut start, mut end) = (0, widths.len());
+    while start < end {
+        let next = if start <= widths.len() - end { start } else { end - 1 };
+        match widths.get(next).and_then(|width| left.checked_sub(wide(width))) {
+            Some(rest) => left = rest,
+            None => break,
+        }
+        if next == start { start += 1 } else { end -= 1 }
+    }
+    start..end
+}
+
+/// Writes one line a placement, exact, as [`run`] does.
+///
+/// # Errors
+/// `out` cannot be written.
 pub fn placements(run: &[Vec<Rational>], out: &mut dyn Write) -> Result<()> {
     let count = run.first().map_or(0, Vec::len);
-    let mut rows = vec![std::iter::once("step".to_owned()).chain(names(count)).collect()];
-    let end = MOST_PLACEMENTS / 2;
-    let left_out = if run.len() > MOST_PLACEMENTS { end..run.len() - end } else { 0..0 };
-    for (k, x) in run.iter().enumerate().filter(|(k, _)| !left_out.contains(k)) {
-        if k == left_out.end && k > 0 {
-            rows.push(vec!["...".to_owned()]);
+    let head = std::iter::once("step".to_owned()).chain(names(count)).collect();
+    let number = |x: &Rational| cut(&fraction(x), LONGEST);
+    let row = |(k, x): (usize, &Vec<Rational>)| {
+        std::iter::once(k.to_string()).chain(x.iter().map(number)).collect()
+    };
+    self::run(head, run.iter().enumerate().map(row).collect(), &[], |_| false, out)
+}
+
+/// Writes a run, a row a state: of long ones the ends, of wide ones the columns that fit: the first, `kept`,
+/// those beside `kept`, and from the left on. Columns are aligned to the right, but for those of `left`.
+///
+/// # Errors
+/// `out` cannot be written.
+pub fn run(
+    head: Vec<String>,
+    states: Vec<Vec<String>>,
+    kept: &[usize],
+    left: impl Fn(usize) -> bool,
+    out: &mut dyn Write,
+) -> Result<()> {
+    let end = MOST_STATES / 2;
+    let skipped = if states.len() > MOST_STATES { end..states.len() - end } else { 0..0 };
+    let mut rows = vec![head];
+    for (k, row) in states.into_iter().enumerate().filter(|(k, _)| !skipped.contains(k)) {
+        if k == skipped.end && k > 0 {
+            rows.push(vec![GAP.to_owned()]);
         }
-        let number = |x| cut(&fraction(x), LONGEST);
-        rows.push(std::iter::once(k.to_string()).chain(x.iter().map(number)).collect::<Vec<_>>());
+        rows.push(row);
     }
-    let ends = widths(&rows).into_iter().scan(2, |end, width| {
-        *end += width + 2;
-        Some(*end)
-    });
-    let shown = ends.take_while(|end| *end <= WIDEST).count();
-    for row in rows.iter_mut().filter(|row| row.len() > shown) {
-        row.truncate(shown);
-        row.push("...".to_owned());
+    let widths = widths(&rows);
+    let near = |by: usize| kept.iter().flat_map(move |k| [k.wrapping_sub(by), k + by]);
+    let order = [0].into_iter().chain((0..=MOST_NEAR).flat_map(near)).chain(0..widths.len());
+    let mut shown = vec![false; widths.len()];
+    let mut room = WIDEST - 2;
+    for column in order {
+        let (Some(width), Some(slot)) = (widths.get(column), shown.get_mut(column)) else {
+            continue;
+        };
+        match room.checked_sub(if *slot { 0 } else { width + 2 }) {
+            Some(rest) => (room, *slot) = (rest, true),
+            None => break,
+        }
     }
-    for line in lines(&rows, |_| false) {
+    // Each gap as one column.
+    let mut columns: Vec<Option<usize>> = Vec::new();
+    for (column, shown) in shown.iter().enumerate() {
+        match (shown, columns.last()) {
+            (true, _) => columns.push(Some(column)),
+            (false, Some(None)) => {}
+            (false, _) => columns.push(None),
+        }
+    }
+    let text = |row: &Vec<String>| -> Vec<String> {
+        let is_whole = row.len() > 1;
+        let cell = |column: &Option<usize>| match column {
+            Some(column) => row.get(*column).cloned(),
+            None => is_whole.then(|| GAP.to_owned()),
+        };
+        columns.iter().map_while(cell).collect()
+    };
+    let rows: Vec<Vec<String>> = rows.iter().map(text).collect();
+    for line in lines(&rows, |shown| columns.get(shown).copied().flatten().is_some_and(&left)) {
         writeln!(out, "  {line}")?;
     }
     Ok(())
 }
+
+/// Columns beside one that is kept.
+const MOST_NEAR: usize = 2;
 
 /// The heads of the positions' columns.
 pub fn names(count: usize) -> impl Iterator<Item = String> {
@@ -86,12 +172,12 @@ pub fn names(count: usize) -> impl Iterator<Item = String> {
 }
 
 /// The items with commas between; of more than eight, which are sorted, the ends and how many.
-pub fn abridged(weights: &[String]) -> String {
-    match weights {
-        [first, .., last] if weights.len() > 8 => {
-            format!("{first} ... {last} ({} weights)", weights.len())
+pub fn abridged(items: &[String]) -> String {
+    match items {
+        [first, .., last] if items.len() > 8 => {
+            format!("{first} ... {last} ({} in all)", items.len())
         }
-        _ => weights.join(", "),
+        _ => items.join(", "),
     }
 }
 

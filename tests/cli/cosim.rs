@@ -251,7 +251,7 @@ fn bad_runs_are_refused_by_name_and_leave_nothing() {
         ("lonely.csv", lines(2), "5 drones at 1 times: expected at least 2 of each"),
         ("word.csv", row("12.4192", "twelve"), "`twelve`: expected a finite number"),
         ("nan.csv", row("12.4192", "NaN"), "`NaN`: expected a finite number"),
-        ("back.csv", row("\n0.1,", "\n0.01,"), "time at row 2: expected more than the row before"),
+        ("back.csv", row("\n0.1,", "\n0.01,"), "back.csv:4: expected a time after that before"),
         (
             "cut.json",
             whole[..whole.len() / 2].to_owned(),

@@ -35,10 +35,8 @@ fn every_way_of_switching_is_proved_with_room_to_spare() {
     assert_eq!(one.ellipsoids, 1);
     let dwelling =
         proved(&spring(), "the runs that start at strong or weak, along strong -strong-> strong");
-    let turning = proved(
-        &turns,
-        "the runs that start at strongat0, along strongat0 -strong for 1-> strongat1",
-    );
+    let turning =
+        proved(&turns, "the runs that start at strong.0, along strong.0 -strong for 1-> strong.1");
     for found in [one, dwelling, turning] {
         let spare = to_f64(&found.spare);
         assert!((1.0..2.0).contains(&spare), "{spare}");
@@ -57,11 +55,11 @@ fn the_platoon_is_proved() {
 fn what_is_false_is_not_proved() {
     // At rest under a push of 1 the body is at 1.
     let tight = spring().replace("-3 <= x <= 3", "-1/2 <= x <= 1/2");
-    assert!(matches!(answer(&tight), Answer::Missed(by) if by > 0.0));
+    assert!(matches!(answer(&tight), Answer::Missed(0, by) if by > 0.0));
     let rising = spring().replace("-x - v + push", "-x + v + push");
     assert!(matches!(answer(&rising), Answer::Open));
     let outside = spring().replace("0 <= x <= 1/2", "0 <= x <= 4");
-    assert!(matches!(answer(&outside), Answer::Missed(by) if by > 0.0));
+    assert!(matches!(answer(&outside), Answer::Missed(0, by) if by > 0.0));
 }
 
 #[test]

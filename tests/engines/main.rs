@@ -10,6 +10,7 @@ mod cosim_master;
 mod cosim_runs;
 mod departing;
 mod exact_numbers;
+mod export_pvs_own;
 mod export_smt2;
 mod fast;
 mod flow;

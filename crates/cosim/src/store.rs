@@ -146,8 +146,11 @@ pub fn load(path: &Path) -> Result<Record> {
 }
 
 /// What every record that is read has to meet.
-fn check(name: &str, record: &Record) -> Result<()> {
+///
+/// `place` names where a row of the record stands in the file.
+fn check(name: &str, record: &Record, place: impl Fn(usize) -> String) -> Result<()> {
     let fail = |what: String| Err(Error::input(format!("`{name}`: {what}")));
+    let at = |row: usize, what: &str| Err(Error::input(format!("{}: {what}", place(row))));
     if record.count < 2 || record.rows() < 2 {
         return fail(format!(
             "{} drones at {} times: expected at least 2 of each",
@@ -176,11 +179,11 @@ fn check(name: &str, record: &Record) -> Result<()> {
     // JSON has no other numbers, and the reader of CSV takes none.
     let not_finite = |x: &f64| !x.is_finite();
     if let Some(row) = record.times.iter().position(not_finite) {
-        return fail(format!("time at row {row}: expected a finite number"));
+        return at(row, "expected a finite time");
     }
     let pairs = record.times.windows(2);
     match pairs.zip(1..).find(|(pair, _)| matches!(pair, [a, b] if a >= b)) {
-        Some((_, row)) => fail(format!("time at row {row}: expected more than the row before")),
+        Some((_, row)) => at(row, "expected a time after that before"),
         None => Ok(()),
     }
 }

@@ -3,8 +3,12 @@
 use std::io::Write;
 use std::path::PathBuf;
 
+use super::super::own_protocol::ProtocolArgs;
+use cordon_core::system::System;
 use cordon_core::{Error, Outcome, Result};
-use cordon_proof::export::pvs::{Instance, files};
+
+use cordon_proof::claims;
+use cordon_proof::export::pvs::{File, Instance, files, own};
 use cordon_run::scenario::{self, Scenario};
 
 /// Arguments of `cordon export pvs`.
@@ -12,12 +16,15 @@ use cordon_run::scenario::{self, Scenario};
 #[command(
     after_help = "Writes coverage.pvs (Listings 3 and 4), coverage_theorems.pvs, fmu_coverage.pvs (Listings 5 and 6, \
 projection theorem), consensus.pvs (with formation) and scenario.pvs, each with its proofs (.prf). `proveit` of PVS \
-replays them. Without --out the theories follow one another on stdout."
+replays them. Without --out the theories follow one another on stdout. With --protocol: own_protocol.pvs, its step, \
+the invariant that `cordon prove` finds, and the proofs that every step keeps it."
 )]
 pub struct Args {
     /// Scenario file (TOML) of the coverage protocol [default: the paper's run of Fig. 8]
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with = "protocol")]
     pub scenario: Option<PathBuf>,
+    #[command(flatten)]
+    pub own: ProtocolArgs,
     /// Folder to write the files to; it is created where it is missing
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -28,7 +35,10 @@ const MAX_DRONES: usize = 1_000;
 
 /// Writes the theory to a file or to stdout.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    let files = files(&instance(args)?);
+    let files = match args.own.system()? {
+        Some((_, system)) => vec![theory(&system)?],
+        None => files(&instance(args)?),
+    };
     match &args.out {
         None => {
             for file in &files {
@@ -48,6 +58,11 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         }
     }
     Ok(Outcome::Holds)
+}
+
+/// The theory of a protocol file, with the invariant of a proof where one is found.
+fn theory(system: &System) -> Result<File> {
+    own(system, claims::prove(system).as_ref())
 }
 
 fn instance(args: &Args) -> Result<Instance> {

@@ -32,6 +32,9 @@ pub fn prove(
         Answer::Proved(found) => written(args, folder, "", &found.certificate)?,
         _ => None,
     };
+    let claim = |place: usize| {
+        flow.system.claims.get(place).map_or("", |claim| claim.predicate.text.as_str())
+    };
     match format {
         OutputFormat::Text => {
             writeln!(out, "{}{}", headline_in(&flow.system, "at each time"), switching(flow))?;
@@ -56,9 +59,10 @@ pub fn prove(
                         decimal_string(&found.spare, 3)
                     )?;
                 }
-                Answer::Missed(by) => writeln!(
+                Answer::Missed(place, by) => writeln!(
                     out,
-                    "  not proved: the best ellipsoids found miss a claim by {by:.3}; that does not refute it"
+                    "  not proved: the best ellipsoids found miss `{}` by {by:.3}; that does not refute it",
+                    claim(*place)
                 )?,
                 Answer::Open => {
                     writeln!(out, "  not proved: no ellipsoid that no run leaves was found")?
@@ -80,7 +84,10 @@ pub fn prove(
                         "spare": fraction(&found.spare),
                         "file": file,
                     }),
-                    Answer::Missed(_) | Answer::Open => json!({ "proved": Value::Null }),
+                    Answer::Missed(place, by) => {
+                        json!({ "proved": Value::Null, "missed": claim(*place), "by": by })
+                    }
+                    Answer::Open => json!({ "proved": Value::Null }),
                 },
             );
             writeln!(out, "{:#}", json!(page))?;

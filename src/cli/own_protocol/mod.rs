@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 pub use flow::prove as prove_flow;
 pub use prove::prove;
-pub use refute::{Search, refute};
+pub use refute::{DENOMINATORS, Search, refute};
 pub use settle::settle;
 pub use sweep::{Extent, sweep};
 pub use theorems::theorems;

@@ -296,10 +296,9 @@ fn convergence(
         )
     } else {
         if text {
-            let why = converge::beyond(system).unwrap_or_else(|| {
-                "neither a form that falls in every step was found, nor one that does not"
-                    .to_owned()
-            });
+            let nothing =
+                "neither a form that falls in every step was found, nor one that does not";
+            let why = converge::open(system, nothing);
             writeln!(out, "  convergence: {why}")?;
         }
         (Outcome::Inconclusive, json!({ "proved": Value::Null }), None)

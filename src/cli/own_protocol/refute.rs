@@ -3,14 +3,15 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use num_traits::Zero;
 use serde_json::{Value, json};
 
 use super::show::{constants_text, head, headline};
 use super::{ProtocolArgs, assumed};
 use crate::cli::select::OutputFormat;
+use crate::cli::table;
 use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::system::{Parameter, ParameterKind, System};
-use cordon_core::table::lines;
 use cordon_core::{Error, Evidence, Outcome, Rational, Result};
 use cordon_proof::certificate;
 use cordon_proof::claims::certificate::counterexample as sealed;
@@ -33,10 +34,13 @@ pub struct Search {
     pub known: Option<Run>,
 }
 
+/// Greatest denominators of constants that are searched, where nothing else is said.
+pub const DENOMINATORS: u32 = 8;
+
 impl Default for Search {
     /// What follows where no proof is found: constants with small denominators, some steps.
     fn default() -> Self {
-        Self { denominators: 8, steps: 8, start: None, file: None, known: None }
+        Self { denominators: DENOMINATORS, steps: 8, start: None, file: None, known: None }
     }
 }
 
@@ -146,11 +150,7 @@ fn refuted(args: &ProtocolArgs, system: &System, run: &Run, out: &mut dyn Write)
         claim_text(system, run),
         run.step
     )?;
-    for line in lines(&rows(system, run), |column| {
-        column > 0 && has_choices(system) && column == system.state.len() + 1
-    }) {
-        writeln!(out, "  {line}")?;
-    }
+    shown(system, run, out)?;
     match is_short(run) {
         true => writeln!(out, "  {}, exact", Evidence::ThisRunOnly)?,
         false => writeln!(out, "  {}, exact; shown rounded", Evidence::ThisRunOnly)?,
@@ -166,9 +166,6 @@ fn has_choices(system: &System) -> bool {
 /// Decimal places of a run whose numbers are long.
 const DIGITS: usize = 6;
 
-/// Most states of a run in text.
-const MOST_ROWS: usize = 40;
-
 /// Most characters of a number in a run that is shown exactly.
 const MOST_CHARACTERS: usize = 16;
 
@@ -178,37 +175,24 @@ fn is_short(run: &Run) -> bool {
 }
 
 /// The run as a table: a line a step, with what was chosen in it.
-fn rows(system: &System, run: &Run) -> Vec<Vec<String>> {
-    let mut head: Vec<String> =
-        ["step".to_owned()].into_iter().chain(system.state.clone()).collect();
-    if has_choices(system) {
-        head.push("by".to_owned());
-    }
-    let mut rows = vec![head];
+fn shown(system: &System, run: &Run, out: &mut dyn Write) -> Result<()> {
+    let by = has_choices(system).then(|| "by".to_owned());
+    let head = ["step".to_owned()].into_iter().chain(system.state.clone()).chain(by).collect();
     let is_short = is_short(run);
     let number = |x: &Rational| if is_short { fraction(x) } else { decimal_string(x, DIGITS) };
-    for (k, state) in run.states.iter().enumerate() {
-        let skipped = run.states.len() > MOST_ROWS
-            && k >= MOST_ROWS / 2
-            && k + MOST_ROWS / 2 < run.states.len();
-        if skipped {
-            if k == MOST_ROWS / 2 {
-                rows.push(vec!["...".to_owned()]);
-            }
-            continue;
-        }
-        let mut row: Vec<String> =
-            [k.to_string()].into_iter().chain(state.iter().map(number)).collect();
-        if let Some(choice) = k
-            .checked_sub(1)
-            .and_then(|before| run.choices.get(before))
-            .filter(|_| has_choices(system))
-        {
-            row.push(choice_text(system, choice));
-        }
-        rows.push(row);
-    }
-    rows
+    let row = |(k, state): (usize, &Vec<Rational>)| {
+        let choice = k.checked_sub(1).and_then(|before| run.choices.get(before));
+        let choice = choice.filter(|_| has_choices(system)).map(|c| choice_text(system, c));
+        [k.to_string()].into_iter().chain(state.iter().map(number)).chain(choice).collect()
+    };
+    // What the claim speaks of, and what was chosen, is shown in any case.
+    let by = system.state.len() + 1;
+    let form = system.claims.get(run.claim).and_then(|c| c.predicate.is.form.parts());
+    let spoken_of = form.iter().flat_map(|(_, coefficients)| coefficients.iter().enumerate());
+    let spoken_of = spoken_of.filter(|(_, a)| !a.is_zero()).map(|(j, _)| j + 1);
+    let kept: Vec<usize> = spoken_of.chain([by]).collect();
+    let states = run.states.iter().enumerate().map(row).collect();
+    table::run(head, states, &kept, |column| column == by, out)
 }
 
 /// What is chosen in a step: `up, link0with1 = 0`.

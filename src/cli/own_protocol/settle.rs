@@ -73,8 +73,7 @@ pub fn settle(
                      bound every variable, or --start"
                 )?,
                 (None, _) => {
-                    let why = converge::beyond(system)
-                        .unwrap_or_else(|| "no form that falls in every step was found".to_owned());
+                    let why = converge::open(system, "no form that falls in every step was found");
                     writeln!(out, "  {why}")?;
                 }
             }

@@ -95,6 +95,7 @@ pub fn threshold(
                     },
                     "holds": found.as_ref().map(|b| fraction(&b.holds)),
                     "fails": found.as_ref().map(|b| fraction(&b.fails)),
+                    "used_up": found.as_ref().is_some_and(|b| b.used_up),
                     "open": found.as_ref().and_then(|b| b.open.as_ref()).map(fraction),
                 }),
             );
@@ -102,7 +103,7 @@ pub fn threshold(
         }
     }
     Ok(match &found {
-        Some(Bracket { open: None, .. }) => Outcome::Holds,
+        Some(Bracket { open: None, used_up: false, .. }) => Outcome::Holds,
         _ => Outcome::Inconclusive,
     })
 }
@@ -138,6 +139,12 @@ fn bracketed(
             "  open   at {name} = {} ({}): neither was found there, so that the bracket stays as wide",
             fraction(open),
             decimal_string(open, places)
+        )?;
+    }
+    if found.used_up {
+        writeln!(
+            out,
+            "  (near the critical value searches are long: their work is used up, so that the bracket stays as wide)"
         )?;
     }
     Ok(())

@@ -4,6 +4,7 @@ use std::io::Write;
 
 use serde_json::json;
 
+use super::show;
 use crate::cli::table;
 use cordon_core::{Error, Outcome, Result};
 use cordon_run::fast::verify::{self, Verification};
@@ -190,6 +191,7 @@ pub fn certain(
             }
         }
         Shape::Table => {
+            show::heading(scenario, out)?;
             let mut head = vec![String::from("step")];
             head.extend(scenario.columns());
             let line = |d: &digits::Digits| [vec![d.k.to_string()], decimals(d)].concat();

@@ -7,7 +7,7 @@ use crate::own_random::{self, choices, grid, random_protocol};
 use cordon_core::system::{Consensus, Coverage, System};
 use cordon_proof::claims::sweep::on_grid;
 use cordon_proof::claims::threshold::{Known, Property, critical, known, with};
-use cordon_proof::claims::{constants, follow, refute};
+use cordon_proof::claims::{WORK, constants, follow, refute};
 use cordon_run::scenario::Topology;
 use proptest::prelude::*;
 
@@ -36,7 +36,7 @@ fn verdicts_of_files_are_those_of_the_built_in_protocols() {
         [("1/3", true), ("1/2", true), ("51/100", false), ("3/5", false), ("1", false)]
     {
         let (code, _, _) = run(&["refute", "7.2", "--drones", "4", "--eps", eps]);
-        let found = known(&with(&system, 0, &q(eps)), Property::Claims).unwrap();
+        let found = known(&with(&system, 0, &q(eps)), Property::Claims, &mut WORK.clone()).unwrap();
         assert_eq!(
             (code, found),
             if holds { (3, Known::Holds) } else { (1, Known::Fails) },
@@ -97,7 +97,10 @@ fn brackets_hold(cases: u32) {
         let Some(found) = found else { return Ok(()) };
         bracketed.set(bracketed.get() + 1);
         let at = |value| with(&system, 0, value);
-        prop_assert_eq!(known(&at(&found.holds), Property::Claims).unwrap(), Known::Holds);
+        prop_assert_eq!(
+            known(&at(&found.holds), Property::Claims, &mut WORK.clone()).unwrap(),
+            Known::Holds
+        );
         for (n, start) in grid(&system).into_iter().enumerate() {
             let by = choices(&system, &found.holds, n);
             prop_assert_eq!(follow(&system, &[], &start, by), None, "{}", text);

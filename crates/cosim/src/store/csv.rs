@@ -208,7 +208,8 @@ pub(super) fn parse(name: &str, text: &str) -> Result<Record> {
         }
         record.series.iter_mut().zip(rest).for_each(|(s, x)| s.values.push(x));
     }
-    super::check(name, &record)?;
+    // The head is the first line.
+    super::check(name, &record, |row| format!("{name}:{}", row + 2))?;
     Ok(record)
 }
 

@@ -189,7 +189,12 @@ pub(super) fn accompany(
     record.events = events(companion.events, record.count).map_err(fail)?;
     record.notes = companion.notes;
     record.broken_off = companion.broken_off;
-    super::check(name, record)
+    super::check(name, record, |row| time(name, row))
+}
+
+/// Where the time of a row stands.
+fn time(name: &str, row: usize) -> String {
+    format!("`{name}`: time[{row}]")
 }
 
 fn height_page(record: &Record) -> Option<HeightPage> {
@@ -286,7 +291,7 @@ pub(super) fn parse(name: &str, text: &str) -> Result<Record> {
         notes: page.notes,
         broken_off: page.broken_off,
     };
-    super::check(name, &record)?;
+    super::check(name, &record, |row| time(name, row))?;
     Ok(record)
 }
 

@@ -27,9 +27,53 @@ pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
 
 /// a' p a.
 pub fn moved(a: &Matrix, p: &Matrix) -> Matrix {
+    product(&transposed(a), &product(p, a))
+}
+
+/// The transpose.
+pub fn transposed(a: &Matrix) -> Matrix {
+    let width = a.first().map_or(0, Vec::len);
+    (0..width).map(|j| a.iter().map(|row| row[j]).collect()).collect()
+}
+
+/// The sum of all a'^k a^k, by doubling: the solution p of p - a' p a = 1, where a's powers vanish.
+pub fn images_of_unit(a: &Matrix) -> Matrix {
+    let (mut form, mut power) = (identity(a.len()), a.clone());
+    for _ in 0..40 {
+        form = plus(&form, 1.0, &moved(&power, &form));
+        power = product(&power, &power);
+        if largest(&power) < 1e-12 {
+            break;
+        }
+    }
+    form
+}
+
+/// The inverse, by elimination; `None` where there is none, as far as doubles tell.
+pub fn inverse(a: &Matrix) -> Option<Matrix> {
     let n = a.len();
-    let transposed: Matrix = (0..n).map(|j| a.iter().map(|row| row[j]).collect()).collect();
-    product(&transposed, &product(p, a))
+    let mut rows: Vec<(Vec<f64>, Vec<f64>)> = a.iter().cloned().zip(identity(n)).collect();
+    let least = 1e-13 * largest(a);
+    for k in 0..n {
+        let pivot = (k..n).max_by(|&i, &j| rows[i].0[k].abs().total_cmp(&rows[j].0[k].abs()))?;
+        rows.swap(k, pivot);
+        let (mut row, mut beside) = rows[k].clone();
+        let pivot = row[k];
+        if pivot.is_nan() || pivot.abs() <= least {
+            return None;
+        }
+        row.iter_mut().chain(&mut beside).for_each(|x| *x /= pivot);
+        for (i, (other, to)) in rows.iter_mut().enumerate() {
+            if i == k {
+                (*other, *to) = (row.clone(), beside.clone());
+            } else if other[k] != 0.0 {
+                let factor = other[k];
+                other.iter_mut().zip(&row).for_each(|(x, p)| *x -= factor * p);
+                to.iter_mut().zip(&beside).for_each(|(x, p)| *x -= factor * p);
+            }
+        }
+    }
+    Some(rows.into_iter().map(|(_, beside)| beside).collect())
 }
 
 /// `a + factor * b`.

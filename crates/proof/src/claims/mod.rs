@@ -14,7 +14,9 @@ pub mod sweep;
 pub mod threshold;
 mod words;
 
-pub use refute::{MOST_COMBINATIONS, Run, Sought, WORK, constants, follow, refute, sought};
+pub use refute::{
+    MOST_COMBINATIONS, Run, Sought, WORK, constants, follow, refute, refute_with, sought,
+};
 
 use cordon_core::Rational;
 use cordon_core::linear::feasible::point_within;
@@ -66,11 +68,23 @@ pub fn prove(system: &System) -> Option<Proved> {
 /// # Errors
 /// There is none: a claim fails, or the last search ended.
 pub fn prove_within(system: &System, limits: &Limits) -> Result<Proved, Unproved> {
-    let attempt = |system: &System, limits: &Limits| {
+    prove_with(system, limits, &mut u64::MAX.clone())
+}
+
+/// As [`prove_within`], all attempts together with as much `work` as there is; what is left of it stays.
+///
+/// # Errors
+/// As for [`prove_within`].
+pub fn prove_with(system: &System, limits: &Limits, work: &mut u64) -> Result<Proved, Unproved> {
+    let mut attempt = |system: &System, limits: &Limits| {
         let automaton = Automaton::of(system);
         let starts = system.start_constraints();
         let parameters = system.parameters.clone();
-        match Search::new(system, &automaton, parameters, starts, limits).run() {
+        let limits = Limits { work: limits.work.min(*work), ..*limits };
+        let mut search = Search::new(system, &automaton, parameters, starts, &limits);
+        let answer = search.run();
+        *work -= limits.work - search.left().min(limits.work);
+        match answer {
             Answer::Proved(proof) => Ok(Proved { system: system.clone(), proof }),
             Answer::Refuted(start, choices) => {
                 let values = system.values(|p| p.low.clone());

@@ -68,6 +68,17 @@ pub fn refute(
     start: Option<&[Rational]>,
     steps: usize,
 ) -> (Option<Run>, usize) {
+    refute_with(system, constants, start, steps, &mut WORK.clone())
+}
+
+/// As [`refute`], with as much `work` as there is; what is left of it stays.
+pub fn refute_with(
+    system: &System,
+    constants: &[Vec<Rational>],
+    start: Option<&[Rational]>,
+    steps: usize,
+    left: &mut u64,
+) -> (Option<Run>, usize) {
     let automaton = Automaton::of(system);
     let starts = match start {
         Some(x) => x.iter().enumerate().map(|(j, x)| equal(j, x)).collect(),
@@ -75,7 +86,6 @@ pub fn refute(
     };
     let mut best: Option<Run> = None;
     let mut complete = steps;
-    let mut left = WORK;
     for (values, others) in constants.iter().zip((1..=constants.len() as u64).rev()) {
         let deepest = match &best {
             Some(run) => match run.step.checked_sub(1) {
@@ -85,8 +95,8 @@ pub fn refute(
             None => steps,
         };
         // What the simple ones leave, the others may use.
-        let mut work = left / others;
-        left -= work;
+        let mut work = *left / others;
+        *left -= work;
         match sought(system, &automaton, values, starts.clone(), deepest, &mut work) {
             Sought::Fails(run) if best.as_ref().is_none_or(|b| run.step < b.step) => {
                 best = Some(run);
@@ -96,7 +106,7 @@ pub fn refute(
                 complete = complete.min(depth.max(if depth >= deepest { steps } else { 0 }))
             }
         }
-        left += work;
+        *left += work;
     }
     (best, complete)
 }

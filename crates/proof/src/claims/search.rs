@@ -288,7 +288,12 @@ impl<'s> Search<'s> {
                 }
             }
         }
+        // Of the proof's work a part at most: rows too many do no harm.
+        let most = self.limits.work / 4;
+        let spare = self.work.left().saturating_sub(most);
+        self.work = Work::limited(self.work.left().min(most));
         self.minimise();
+        self.work = Work::limited(self.work.left() + spare);
         Answer::Proved(Proof {
             rows: mem::take(&mut self.rows),
             base: mem::take(&mut self.base),
@@ -304,8 +309,6 @@ impl<'s> Search<'s> {
     /// Leaves out rows that follow from others of their moment: what was shown with their help is shown
     /// with the help of those. The longest way from a claim goes first: there numbers are longest.
     fn minimise(&mut self) {
-        // Of the proof's work a part at most: rows too many do no harm.
-        self.work = Work::limited(self.work.left().min(self.limits.work / 4));
         let mut gone = vec![false; self.rows.len()];
         for j in (0..self.rows.len()).rev() {
             let Some(row) = self.rows.get(j).filter(|r| r.claim.is_none()) else { continue };

@@ -2,7 +2,7 @@
 
 use num_traits::One;
 
-use super::{constants, converge, prove, refute};
+use super::{PROOF, Unproved, constants, converge, prove_with, refute_with};
 use cordon_core::linear::simplest::strictly_between;
 use cordon_core::system::System;
 use cordon_core::{Rational, Result};
@@ -36,10 +36,17 @@ pub struct Bracket {
     pub fails: Rational,
     /// A value between at which neither was found, where that ended the search.
     pub open: Option<Rational>,
+    /// Whether the search ended since its work was used up.
+    pub used_up: bool,
 }
 
 /// Steps up to which counterexamples are searched.
 const STEPS: usize = 40;
+
+/// Most work at all values together, in the unit of [`cordon_core::simplex::Work`], and at one of them: near the critical
+/// value neither proof nor counterexample may be found.
+const WORK: u64 = 600_000_000;
+const WORK_AT_ONE: u64 = 150_000_000;
 
 /// The system with one value of a parameter.
 pub fn with(system: &System, parameter: usize, value: &Rational) -> System {
@@ -50,20 +57,34 @@ pub fn with(system: &System, parameter: usize, value: &Rational) -> System {
     system
 }
 
-/// What is known of a system whose constants have ranges: it holds for all, or fails for some.
+/// What is known of a system whose constants have ranges: it holds for all, or fails for some; with as much
+/// work in linear programs as there is, and what is left of it stays.
 ///
 /// # Errors
 /// The checker rejects what was found.
-pub fn known(system: &System, property: Property) -> Result<Known> {
+pub fn known(system: &System, property: Property, work: &mut u64) -> Result<Known> {
     Ok(match property {
         Property::Claims => {
-            if prove(system).is_some() {
-                Known::Holds
-            } else {
-                let some = constants(system, 4).unwrap_or_default();
-                let (run, _) = refute(system, &some, None, STEPS);
-                if run.is_some() { Known::Fails } else { Known::Open }
+            let mut within = |part: u64, find: &mut dyn FnMut(&mut u64) -> Known| {
+                let given = part.min(*work);
+                let mut left = given;
+                let found = find(&mut left);
+                *work -= given - left;
+                found
+            };
+            let proved = within(WORK_AT_ONE, &mut |left| match prove_with(system, &PROOF, left) {
+                Ok(_) => Known::Holds,
+                Err(Unproved::Fails(_)) => Known::Fails,
+                Err(Unproved::Open(_)) => Known::Open,
+            });
+            if proved != Known::Open {
+                return Ok(proved);
             }
+            let some = constants(system, 4).unwrap_or_default();
+            within(WORK_AT_ONE, &mut |left| match refute_with(system, &some, None, STEPS, left) {
+                (Some(_), _) => Known::Fails,
+                (None, _) => Known::Open,
+            })
         }
         Property::Convergence => {
             if converge::contraction(system)?.is_some() {
@@ -89,8 +110,12 @@ pub fn critical(
     digits: usize,
 ) -> Result<(Option<Bracket>, [Known; 2])> {
     let Some(p) = system.parameters.get(parameter) else { return Ok((None, [Known::Open; 2])) };
-    let at = |value: &Rational| known(&with(system, parameter, value), property);
-    let ends = [at(&p.low)?, at(&p.high)?];
+    let mut work = WORK;
+    let mut at = |value: &Rational| {
+        let found = known(&with(system, parameter, value), property, &mut work)?;
+        Ok::<_, cordon_core::Error>((found, work == 0))
+    };
+    let ends = [at(&p.low)?.0, at(&p.high)?.0];
     let (mut holds, mut fails) = match ends {
         [Known::Holds, Known::Fails] => (p.low.clone(), p.high.clone()),
         [Known::Fails, Known::Holds] => (p.high.clone(), p.low.clone()),
@@ -98,8 +123,8 @@ pub fn critical(
     };
     let ten = Rational::from_integer(10.into());
     let width = (0..digits).fold(Rational::one(), |w, _| w / &ten);
-    let mut open = None;
-    while num_traits::abs(&holds - &fails) > width {
+    let (mut open, mut used_up) = (None, false);
+    while num_traits::abs(&holds - &fails) > width && !used_up {
         // The simplest fraction in the middle half; where nothing is found there, which is the case at the
         // critical value itself, one on either side of it.
         let Some(middle) = open.clone().or_else(|| between(&holds, &fails)) else { break };
@@ -111,7 +136,9 @@ pub fn critical(
         };
         let (mut moved, mut left_open) = (false, false);
         for value in tried {
-            match at(&value)? {
+            let (found, is_last) = at(&value)?;
+            used_up |= is_last;
+            match found {
                 Known::Holds => (holds, moved) = (value, true),
                 Known::Fails => (fails, moved) = (value, true),
                 Known::Open => left_open = true,
@@ -123,7 +150,7 @@ pub fn critical(
             _ => {}
         }
     }
-    Ok((Some(Bracket { holds, fails, open }), ends))
+    Ok((Some(Bracket { holds, fails, open, used_up }), ends))
 }
 
 /// The simplest fraction in the middle half between two numbers, in either order.

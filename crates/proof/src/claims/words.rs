@@ -11,8 +11,9 @@ use cordon_core::scalar::Polynomial;
 use cordon_core::system::{Mode, Parameter, ParameterKind, Schedule, System};
 use cordon_core::{Rational, Result};
 
-/// Most words that are tried for one choice of the constants.
+/// Most words that are tried for one choice of the constants, and most of them times the cube of the readouts.
 const MOST_WORDS: usize = 1_000;
+const MOST_ENTRIES: usize = 400_000_000;
 
 /// Most steps of a word where any mode may act.
 const LONGEST: usize = 6;
@@ -71,9 +72,10 @@ pub fn that_may_not_vanish(system: &System, constants: &[Rational]) -> Result<Ve
     };
     let options = (0..system.modes.len()).map(of_mode).collect::<Result<Vec<_>>>()?;
     let all: Vec<&(Choice, Matrix)> = options.iter().flatten().collect();
+    let most = (MOST_ENTRIES / readouts.all.len().pow(3).max(1)).clamp(1, MOST_WORDS);
     let words = match &system.schedule {
-        Schedule::Any => words_of(&all),
-        Schedule::Cycle(list) => rounds(&options, list),
+        Schedule::Any => words_of(&all, most),
+        Schedule::Cycle(list) => rounds(&options, list, most),
     };
     let grows = |word: &&Vec<&(Choice, Matrix)>| {
         grows_or_stays(&word.iter().map(|(_, map)| map).collect::<Vec<_>>())
@@ -111,11 +113,11 @@ fn corners(system: &System, constants: &[Rational], mode: usize) -> Vec<Vec<Rati
 }
 
 /// Words of any of these in each step; of those that are a word repeated, or begin elsewhere in it, one.
-fn words_of<'o, T>(options: &[&'o T]) -> Vec<Vec<&'o T>> {
+fn words_of<'o, T>(options: &[&'o T], most: usize) -> Vec<Vec<&'o T>> {
     let mut words: Vec<Vec<usize>> = Vec::new();
     let mut longer: Vec<Vec<usize>> = vec![Vec::new()];
     for _ in 0..LONGEST {
-        if longer.len().saturating_mul(options.len()) > MOST_WORDS {
+        if longer.len().saturating_mul(options.len()) > most {
             break;
         }
         longer = longer
@@ -133,10 +135,10 @@ fn is_first_turn(word: &[usize]) -> bool {
 }
 
 /// Rounds of modes in turn, with any choices; where those are too many, with alike ones in all steps.
-fn rounds<'o, T>(options: &'o [Vec<T>], list: &[usize]) -> Vec<Vec<&'o T>> {
+fn rounds<'o, T>(options: &'o [Vec<T>], list: &[usize], most: usize) -> Vec<Vec<&'o T>> {
     let turn: Vec<&Vec<T>> = list.iter().filter_map(|&m| options.get(m)).collect();
     let count = turn.iter().try_fold(1_usize, |n, o| n.checked_mul(o.len()));
-    if count.is_none_or(|count| count > MOST_WORDS) {
+    if count.is_none_or(|count| count > most) {
         let alike = turn.iter().map(|o| o.len()).min().unwrap_or(0);
         return (0..alike).map(|k| turn.iter().filter_map(|o| o.get(k)).collect()).collect();
     }

@@ -50,8 +50,8 @@ pub struct Invariant {
 pub enum Answer {
     /// The claims hold, and here is the invariant.
     Proved(Box<Invariant>),
-    /// With ellipsoids, in doubles, in which the worst claim is missed by so much.
-    Missed(f64),
+    /// With ellipsoids, in doubles, in which the worst claim is missed by so much: its place and that.
+    Missed(usize, f64),
     /// No invariant of this kind was found, which decides nothing.
     Open,
 }
@@ -97,7 +97,7 @@ impl Plan {
                 for (turn, mode) in cycle.iter().enumerate() {
                     for k in 0..parts {
                         let from = plan.names.len();
-                        plan.names.push(format!("{}at{}", name(*mode), turn * parts + k));
+                        plan.names.push(format!("{}.{}", name(*mode), turn * parts + k));
                         let to = (from + 1) % count;
                         plan.ways.push(Way { from, mode: *mode, to, time: Some(part(time)) });
                     }
@@ -119,7 +119,7 @@ impl Plan {
                             let to = if k == parts { mode } else { plan.names.len() };
                             if k < parts {
                                 plan.names.push(format!(
-                                    "{}after{}at{k}",
+                                    "{}.after.{}.{k}",
                                     name(mode),
                                     name(before)
                                 ));
@@ -323,13 +323,16 @@ impl<'f> Search<'f> {
         to_f64(constant) + terms.sum::<f64>()
     }
 
-    /// The worst margin of a claim.
-    fn margin(&self, plan: &Plan, x: &[f64]) -> f64 {
-        let of = |claim: &Constraint, node: usize| {
-            self.at_centre(&claim.form, node, x) - self.width(&claim.form, node, x).sqrt()
+    /// The claim with the worst margin, and that.
+    fn margin(&self, plan: &Plan, x: &[f64]) -> (usize, f64) {
+        let of = |(place, claim): (usize, &Constraint), node: usize| {
+            let margin =
+                self.at_centre(&claim.form, node, x) - self.width(&claim.form, node, x).sqrt();
+            (place, margin)
         };
         let nodes = 0..plan.names.len();
-        nodes.flat_map(|n| self.claims.iter().map(move |c| of(c, n))).fold(f64::INFINITY, f64::min)
+        let all = nodes.flat_map(|n| self.claims.iter().enumerate().map(move |c| of(c, n)));
+        all.fold((0, f64::INFINITY), |worst, c| if c.1 < worst.1 { c } else { worst })
     }
 
     /// That no ellipsoid is larger than so: by the traces. Without, those of a barrier grow for ever.
@@ -361,7 +364,7 @@ impl<'f> Search<'f> {
         })?;
         blocks.extend(self.bounds(plan, 100.0 * most));
         for _ in 0..rounds {
-            let margin = self.margin(plan, &x);
+            let (_, margin) = self.margin(plan, &x);
             let mut program =
                 Program { variables: variables + 1, blocks: blocks.clone(), objective: variables };
             for (claim, node) in
@@ -470,6 +473,7 @@ fn derivatives(flow: &Flow) -> LinearSystem {
 
 /// What was found in doubles for a decay.
 struct Attempt {
+    worst: usize,
     margin: f64,
     part: f64,
     decay: Rational,
@@ -496,7 +500,7 @@ pub fn prove(flow: &Flow) -> Result<Answer> {
         return Ok(Answer::Open);
     }
     let parts: &[usize] = if flow.switching == Switching::Any { &PARTS[..1] } else { &PARTS };
-    let mut best: Option<f64> = None;
+    let mut best: Option<(usize, f64)> = None;
     for parts in parts {
         let plan = Plan::of(flow, *parts);
         if plan.names.len() > MOST_NODES {
@@ -509,7 +513,8 @@ pub fn prove(flow: &Flow) -> Result<Answer> {
             let near = |to: f64| Rational::from_float(-2.0 * slowest * part * to);
             let decay = near(0.98).zip(near(1.02)).and_then(|(a, b)| strictly_between(&a, &b))?;
             let x = search.solve(&plan, to_f64(&decay), rounds)?;
-            tried.push(Attempt { margin: search.margin(&plan, &x), part, decay, x });
+            let (worst, margin) = search.margin(&plan, &x);
+            tried.push(Attempt { worst, margin, part, decay, x });
             Some(())
         };
         // Many ellipsoids are slow: the middle of the decays, and enough where it holds.
@@ -529,14 +534,16 @@ pub fn prove(flow: &Flow) -> Result<Answer> {
             tried.sort_by(largest);
         }
         let Some(found) = tried.first() else { continue };
-        best = Some(best.map_or(found.margin, |b: f64| b.max(found.margin)));
+        if best.is_none_or(|(_, margin)| found.margin > margin) {
+            best = Some((found.worst, found.margin));
+        }
         if found.margin > 0.0
             && let Some(found) = rounded(&search, &plan, found)?
         {
             return Ok(Answer::Proved(Box::new(found)));
         }
     }
-    Ok(best.map_or(Answer::Open, |margin| Answer::Missed(-margin)))
+    Ok(best.map_or(Answer::Open, |(worst, margin)| Answer::Missed(worst, -margin)))
 }
 
 fn tens(power: i32) -> Rational {

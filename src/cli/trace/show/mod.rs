@@ -11,7 +11,7 @@ pub use csv::csv;
 pub use itf::itf;
 pub use json::json;
 pub use plot::plot;
-pub use table::table;
+pub use table::{heading, table};
 
 use cordon_core::exact;
 use cordon_run::trace::Positions;

@@ -74,7 +74,11 @@ pub fn table(
     claims.iter().try_for_each(|c| claim_summary(scenario, c, out))
 }
 
-fn heading(scenario: &Scenario, out: &mut dyn Write) -> Result<()> {
+/// What is run, as the table is headed.
+///
+/// # Errors
+/// `out` cannot be written.
+pub fn heading(scenario: &Scenario, out: &mut dyn Write) -> Result<()> {
     writeln!(out, "{}", scenario.title)?;
     let segment = match &scenario.protocol {
         Protocol::Coverage { min, max } => format!("coverage of [{min}, {max}]"),

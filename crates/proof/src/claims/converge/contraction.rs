@@ -10,10 +10,10 @@
 use num_traits::{One, Signed, ToPrimitive};
 use serde_json::Value;
 
-use super::{Quotient, full, texts};
+use super::{Quotient, full, short, texts};
 use crate::certificate;
 use crate::claims::doubles::{
-    Matrix, dot, identity, image, largest, moved, negative_direction, plus, product,
+    Matrix, dot, identity, image, images_of_unit, largest, moved, negative_direction, plus,
     spectral_radius,
 };
 use crate::claims::pinned::with_pinned;
@@ -81,9 +81,12 @@ fn swing(system: &System, readouts: &Readouts, word: &[Choice]) -> Option<Ration
     Some(most)
 }
 
+/// Readouts of which dense forms are judged soon.
+const FEW: usize = 24;
+
 /// As [`contraction`], in every step, whatever mode acts.
 fn in_every_step(system: &System) -> Result<Option<Contraction>> {
-    let Some(quotient) = Quotient::of(system) else { return Ok(None) };
+    let Ok(quotient) = Quotient::of(system) else { return Ok(None) };
     let maps = quotient.doubles();
     let radius = maps.iter().map(|(_, a)| spectral_radius(a)).fold(0.0, f64::max);
     if radius >= 1.0 {
@@ -99,9 +102,23 @@ fn in_every_step(system: &System) -> Result<Option<Contraction>> {
             let Some(rate) = rational_between(wanted, wanted + (1.0 - wanted) / 64.0) else {
                 continue;
             };
+            let tried = |forms: &[Lower]| checked(system, &quotient, &maps, &rate, forms);
+            if count == 1 && quotient.readouts.all.len() > FEW {
+                for form in short::forms(&maps, to_f64(&rate)) {
+                    if let Judged::Accepted(found) = tried(&[form])? {
+                        return Ok(Some(*found));
+                    }
+                }
+            }
             let Some(forms) = falling_forms(&maps, count, to_f64(&rate)) else { continue };
-            if let Some(found) = checked(system, &quotient, &rate, &forms)? {
-                return Ok(Some(found));
+            for bits in [12, 24, 40] {
+                let Some(forms) = rounded(&forms, bits) else { continue };
+                match tried(&forms)? {
+                    Judged::Accepted(found) => return Ok(Some(*found)),
+                    Judged::Rejected => {}
+                    // Longer numbers are beyond too, and those of other rates are as long.
+                    Judged::Beyond => return Ok(None),
+                }
             }
         }
     }
@@ -174,23 +191,18 @@ fn falling_forms(maps: &[(usize, Matrix)], count: usize, rate: f64) -> Option<Ve
 const MOST_MOVES: usize = 20_000;
 const MOST_WORK: usize = 100_000_000;
 
+/// Most sums of images, and most of them times the maps and n^3.
+const MOST_IMAGES: usize = 3_000;
+const MOST_IMAGED: usize = 300_000_000;
+
 /// The sum of the averaged images of the identity.
 fn averaged(scaled: &[(usize, Matrix)], n: usize) -> Matrix {
-    let mut form = identity(n);
     if let [(_, only)] = scaled {
-        // By doubling.
-        let mut power = only.clone();
-        for _ in 0..40 {
-            form = plus(&form, 1.0, &moved(&power, &form));
-            power = product(&power, &power);
-            if largest(&power) < 1e-12 {
-                break;
-            }
-        }
-        return form;
+        return images_of_unit(only);
     }
+    let mut form = identity(n);
     let weight = 1.0 / scaled.len() as f64;
-    for _ in 0..3_000 {
+    for _ in 0..MOST_IMAGES.min(MOST_IMAGED / (scaled.len() * n.pow(3)).max(1)) {
         let images = scaled.iter().map(|(_, a)| moved(a, &form));
         let next = images.fold(identity(n), |sum, image| plus(&sum, weight, &image));
         let change = largest(&plus(&next, -1.0, &form));
@@ -203,56 +215,77 @@ fn averaged(scaled: &[(usize, Matrix)], n: usize) -> Matrix {
     form
 }
 
-/// The forms in rationals, coarse first, as far as the checker accepts them.
+/// The lower triangle of a form.
+type Lower = Vec<Vec<Rational>>;
+
+/// Forms rounded to so many bits: the lower triangles decide, the halves are equal but for rounding.
+fn rounded(forms: &[Matrix], bits: i32) -> Option<Vec<Lower>> {
+    let unit = forms.iter().map(largest).fold(0.0, f64::max) / 2f64.powi(bits);
+    let unit = Rational::from_float(2f64.powi(unit.log2().floor() as i32))?;
+    let entry = |x: &f64| {
+        let steps = (x / to_f64(&unit)).round();
+        Some(&unit * Rational::from_integer(steps.to_i64()?.into()))
+    };
+    let lower = |form: &Matrix| -> Option<Lower> {
+        let row = |(i, row): (usize, &Vec<f64>)| row.iter().take(i + 1).map(entry).collect();
+        form.iter().enumerate().map(row).collect()
+    };
+    forms.iter().map(lower).collect()
+}
+
+/// What becomes of a guess.
+enum Judged {
+    /// The checker accepts it.
+    Accepted(Box<Contraction>),
+    /// It does not fall.
+    Rejected,
+    /// It is beyond the checker's limits.
+    Beyond,
+}
+
+/// The judgement of forms: in doubles first, since the exact one is long.
 fn checked(
     system: &System,
     quotient: &Quotient,
+    maps: &[(usize, Matrix)],
     rate: &Rational,
-    forms: &[Matrix],
-) -> Result<Option<Contraction>> {
-    let scale = forms.iter().map(largest).fold(0.0, f64::max);
-    for bits in [12, 24, 40] {
-        let unit = scale / 2f64.powi(bits);
-        let Some(unit) = Rational::from_float(2f64.powi(unit.log2().floor() as i32)) else {
-            continue;
-        };
-        let rounded = |x: &f64| {
-            let steps = (x / to_f64(&unit)).round();
-            Some(&unit * Rational::from_integer(steps.to_i64()?.into()))
-        };
-        // The lower triangle decides: the two halves are equal but for rounding.
-        let lower = |form: &Matrix| -> Option<Vec<Vec<Rational>>> {
-            let row = |(i, row): (usize, &Vec<f64>)| row.iter().take(i + 1).map(rounded).collect();
-            form.iter().enumerate().map(row).collect()
-        };
-        let Some(lower) = forms.iter().map(lower).collect::<Option<Vec<_>>>() else { continue };
-        let Some(mut certificate) = quotient.certificate(system) else { return Ok(None) };
-        match lower.as_slice() {
-            [one] => certificate.matrix = Some(texts(one)),
-            all => {
-                let names = system.modes.iter().map(|m| m.name.clone());
-                certificate.matrices = names.zip(all.iter().map(|m| texts(m))).collect();
-            }
-        }
-        certificate.rate = Some(fraction(rate));
-        let certificate = certificate.certificate();
-        match certificate::judged(&certificate) {
-            Ok(_) => {
-                let forms = lower.iter().map(|m| full(m)).collect();
-                let readouts = quotient.readouts.clone();
-                return Ok(Some(Contraction {
-                    rate: rate.clone(),
-                    round: 1,
-                    swing: Rational::one(),
-                    forms,
-                    readouts,
-                    certificate,
-                }));
-            }
-            // Too coarse: the next rounding may do. Or beyond the checker's limits.
-            Err(cordon_core::Error::Rejected(_) | cordon_core::Error::Input(_)) => {}
-            Err(e) => return Err(e),
+    lower: &[Lower],
+) -> Result<Judged> {
+    let forms: Vec<Vec<Vec<Rational>>> = lower.iter().map(|m| full(m)).collect();
+    let doubles: Vec<Matrix> = forms
+        .iter()
+        .map(|m| m.iter().map(|row| row.iter().map(to_f64).collect()).collect())
+        .collect();
+    let (square, scale) = (to_f64(rate).powi(2), doubles.iter().map(largest).fold(0.0, f64::max));
+    let falls = maps.iter().all(|(mode, a)| {
+        let own = doubles.get(if doubles.len() == 1 { 0 } else { *mode });
+        let fall = |next| own.map(|own| plus(&plus(own, square - 1.0, own), -1.0, &moved(a, next)));
+        let is_fall = |f: Matrix| negative_direction(&f, -1e-9 * scale).is_none();
+        doubles.iter().all(|next| fall(next).is_some_and(is_fall))
+    });
+    let Some(mut certificate) = quotient.certificate(system).filter(|_| falls) else {
+        return Ok(Judged::Rejected);
+    };
+    match lower {
+        [one] => certificate.matrix = Some(texts(one)),
+        all => {
+            let names = system.modes.iter().map(|m| m.name.clone());
+            certificate.matrices = names.zip(all.iter().map(|m| texts(m))).collect();
         }
     }
-    Ok(None)
+    certificate.rate = Some(fraction(rate));
+    let certificate = certificate.certificate();
+    match certificate::judged(&certificate) {
+        Ok(_) => Ok(Judged::Accepted(Box::new(Contraction {
+            rate: rate.clone(),
+            round: 1,
+            swing: Rational::one(),
+            forms,
+            readouts: quotient.readouts.clone(),
+            certificate,
+        }))),
+        Err(cordon_core::Error::Rejected(_)) => Ok(Judged::Rejected),
+        Err(cordon_core::Error::Input(_)) => Ok(Judged::Beyond),
+        Err(e) => Err(e),
+    }
 }

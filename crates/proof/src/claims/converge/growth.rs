@@ -4,16 +4,19 @@
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use serde_json::Value;
 
+use super::split::growing_form;
 use super::{Quotient, full, texts};
 use crate::certificate;
 use crate::claims::bounds::extreme;
-use crate::claims::doubles::{Matrix, largest};
+use crate::claims::doubles::{
+    Matrix, identity, inverse, largest, moved, negative_direction, plus, product,
+};
 use crate::claims::pinned::with_pinned;
 use crate::claims::readouts::{self, Readouts};
 use crate::claims::search::Choice;
 use crate::claims::words::{as_one_step, that_may_not_vanish};
 use crate::claims::{PROOF, constants};
-use cordon_core::exact::fraction;
+use cordon_core::exact::{fraction, to_f64};
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, point_within};
 use cordon_core::linear::matrix;
@@ -22,8 +25,13 @@ use cordon_core::simplex::Work;
 use cordon_core::system::System;
 use cordon_core::{Rational, Result};
 
-/// Most words of choices for which a form is searched, for each choice of the constants.
+/// Most words of choices for which a form is searched, for each choice of the constants, and most of them
+/// times the cube of the readouts.
 const MOST_TRIED: usize = 64;
+const MOST_ENTRIES: usize = 20_000_000;
+
+/// Most readouts of a system of which forms that are kept exactly are searched: by elimination in fractions.
+const MOST_EXACT: usize = 100;
 
 /// A start from which some system in the ranges does not converge, with its constants, what is chosen
 /// over and over, and the certificate; constants are tried at the ends of their ranges.
@@ -32,8 +40,10 @@ const MOST_TRIED: usize = 64;
 /// The checker rejects what was found.
 pub fn grows(system: &System) -> Result<Option<Growth>> {
     let system = &with_pinned(system)?;
+    let count = Readouts::of(system).map_or(1, |readouts| readouts.all.len());
+    let most = (MOST_ENTRIES / count.pow(3).max(1)).clamp(1, MOST_TRIED);
     for values in constants(system, 1).unwrap_or_default() {
-        for word in that_may_not_vanish(system, &values)?.into_iter().take(MOST_TRIED) {
+        for word in that_may_not_vanish(system, &values)?.into_iter().take(most) {
             if let Some((start, certificate)) = growth(&as_one_step(system, &word)?)? {
                 return Ok(Some(Growth { values, word, start, certificate }));
             }
@@ -61,19 +71,21 @@ pub struct Growth {
 /// # Errors
 /// The checker rejects what was found.
 fn growth(system: &System) -> Result<Option<(Vec<Rational>, Value)>> {
-    let Some(quotient) = Quotient::of(system) else { return Ok(None) };
+    let Ok(quotient) = Quotient::of(system) else { return Ok(None) };
     let (maps, doubles) = (&quotient.maps, quotient.doubles());
     let ([(_, exact)], [(_, map)]) = (maps.as_slice(), doubles.as_slice()) else {
         return Ok(None);
     };
-    if map.len() > LARGEST_STEIN {
-        return Ok(None);
-    }
-    let growing = stein(map).and_then(|form| {
+    let growing = growing_form(map).and_then(|form| {
         let direction = positive_direction(&form)?;
-        Some((full(&rounded(&form)?), direction.iter().map(short).collect::<Option<Vec<_>>>()?))
+        Some((form, direction.iter().map(short).collect::<Option<Vec<_>>>()?))
     });
-    for (form, direction) in growing.into_iter().chain(kept(exact)) {
+    let growing = growing.iter().flat_map(|(form, direction)| {
+        let rounded = ROUNDED.iter().filter_map(|bits| Some(full(&rounded(form, *bits)?)));
+        // A second one where the first was too coarse after all.
+        rounded.filter(|form| may_grow(map, form)).take(2).map(|form| (form, direction.clone()))
+    });
+    for (form, direction) in growing.chain(kept(exact, map)) {
         let Some(start) = positive_start(system, &quotient.readouts, &form, &direction) else {
             continue;
         };
@@ -92,11 +104,20 @@ fn growth(system: &System) -> Result<Option<(Vec<Rational>, Value)>> {
     Ok(None)
 }
 
-/// The lower triangle, rounded to 30 bits.
-fn rounded(form: &Matrix) -> Option<Vec<Vec<Rational>>> {
-    let unit = Rational::new(One::one(), (1u64 << 30).into());
+/// Whether a form never falls, as far as doubles tell: the exact judgement is long.
+fn may_grow(map: &Matrix, form: &[Vec<Rational>]) -> bool {
+    let form: Matrix = form.iter().map(|row| row.iter().map(to_f64).collect()).collect();
+    negative_direction(&plus(&moved(map, &form), -1.0, &form), -1e-13).is_none()
+}
+
+/// Bits to which forms that grow are rounded, one after the other.
+const ROUNDED: [u32; 5] = [8, 14, 22, 30, 44];
+
+/// The lower triangle, rounded to so many bits.
+fn rounded(form: &Matrix, bits: u32) -> Option<Vec<Vec<Rational>>> {
+    let unit = Rational::new(One::one(), (1u64 << bits).into());
     let entry = |x: &f64| {
-        let steps = (x * f64::from(1u32 << 30)).round();
+        let steps = (x * (1u64 << bits) as f64).round();
         Some(&unit * Rational::from_integer(steps.to_i64()?.into()))
     };
     form.iter().enumerate().map(|(i, row)| row.iter().take(i + 1).map(entry).collect()).collect()
@@ -112,11 +133,24 @@ fn short(x: &f64) -> Option<Rational> {
 /// Forms that the step keeps exactly, each with a direction in which it is positive: from combinations w
 /// of what has to vanish with wA = w or wA = -w, and from those that turn, wAA - 2c wA + w = 0 with c a
 /// simple fraction between -1 and 1.
-fn kept(map: &[Vec<Rational>]) -> impl Iterator<Item = (Vec<Vec<Rational>>, Vec<Rational>)> {
-    let map = map.to_vec();
+fn kept(
+    map: &[Vec<Rational>],
+    doubles: &Matrix,
+) -> impl Iterator<Item = (Vec<Vec<Rational>>, Vec<Rational>)> {
+    let (map, doubles) = (map.to_vec(), doubles.clone());
     let one = Rational::one();
     let cosines = fractions_within(&-&one, &one, MOST_TURNS);
-    cosines.into_iter().flat_map(move |c| {
+    let squared = product(&doubles, &doubles);
+    let may_be = move |c: &Rational| {
+        let (c, unit) = (to_f64(c), identity(doubles.len()));
+        let zero = match c.abs() == 1.0 {
+            true => plus(&doubles, -c, &unit),
+            false => plus(&plus(&squared, -2.0 * c, &doubles), 1.0, &unit),
+        };
+        doubles.len() <= MOST_EXACT
+            && inverse(&zero).is_none_or(|back| largest(&back) * largest(&zero) > 1e8)
+    };
+    cosines.into_iter().filter(may_be).flat_map(move |c| {
         let n = map.len();
         let unit = matrix::unit(n);
         let straight = c.abs().is_one();
@@ -224,56 +258,6 @@ fn positive_start(
         }
     }
     None
-}
-
-/// Most readouts of a system whose growth is searched: the equations have n(n+1)/2 unknowns.
-const LARGEST_STEIN: usize = 24;
-
-/// The solution P of A'PA - P = 1, by elimination over the entries of the lower triangle.
-fn stein(a: &Matrix) -> Option<Matrix> {
-    let n = a.len();
-    let place = |i: usize, j: usize| i.max(j) * (i.max(j) + 1) / 2 + i.min(j);
-    let unknowns = n * (n + 1) / 2;
-    let mut rows = Vec::with_capacity(unknowns);
-    for i in 0..n {
-        for j in 0..=i {
-            let mut row = vec![0.0; unknowns + 1];
-            for k in 0..n {
-                for l in 0..n {
-                    row[place(k, l)] += a[k][i] * a[l][j];
-                }
-            }
-            row[place(i, j)] -= 1.0;
-            row[unknowns] = if i == j { 1.0 } else { 0.0 };
-            rows.push(row);
-        }
-    }
-    for k in 0..unknowns {
-        let best = (k..unknowns).max_by(|&p, &q| rows[p][k].abs().total_cmp(&rows[q][k].abs()))?;
-        if rows[best][k].abs() < 1e-12 {
-            return None;
-        }
-        rows.swap(k, best);
-        let pivot = rows[k].clone();
-        for row in rows.iter_mut().skip(k + 1) {
-            let factor = row[k] / pivot[k];
-            if factor != 0.0 {
-                for (x, p) in row.iter_mut().zip(&pivot).skip(k) {
-                    *x -= factor * p;
-                }
-            }
-        }
-    }
-    let mut x = vec![0.0; unknowns];
-    for k in (0..unknowns).rev() {
-        let sum: f64 = (k + 1..unknowns).map(|j| rows[k][j] * x[j]).sum();
-        x[k] = (rows[k][unknowns] - sum) / rows[k][k];
-    }
-    // Scaled, so that rounding to a fixed unit loses nothing that matters.
-    let form: Matrix = (0..n).map(|i| (0..n).map(|j| x[place(i, j)]).collect()).collect();
-    let scale = largest(&form);
-    (scale.is_finite() && scale > 0.0)
-        .then(|| form.iter().map(|r| r.iter().map(|x| x / scale).collect()).collect())
 }
 
 /// A direction in which the form is positive: its greatest, by the power method on a shifted form.

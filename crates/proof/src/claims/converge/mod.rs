@@ -5,6 +5,8 @@
 
 mod contraction;
 mod growth;
+mod short;
+mod split;
 mod unfixed;
 
 pub use contraction::{Contraction, contraction};
@@ -20,17 +22,40 @@ use cordon_core::exact::{fraction, to_f64};
 use cordon_core::system::expression::sum_text;
 use cordon_core::system::{Parameter, System};
 
-/// Most readouts: the checker multiplies matrices of that size exactly.
-const MOST_READOUTS: usize = 64;
+/// Most readouts: as many as the checker takes.
+const MOST_READOUTS: usize = 200;
 
-/// Most maps, one a mode and corner.
+/// Most maps, one a mode and corner, and most of them times the cube of their size.
 const MOST_MAPS: usize = 256;
+const MOST_ENTRIES: usize = 100_000_000;
 
-/// Why no form is searched, where a system has too much that has to vanish.
-pub fn beyond(system: &System) -> Option<String> {
-    let count = Readouts::of(system)?.all.len();
-    let many = format!("{count} differences have to vanish: expected at most {MOST_READOUTS}");
-    (count > MOST_READOUTS).then_some(many)
+/// Why nothing is shown: too much has to vanish, there are too many ends of ranges, or, in these words, nothing was
+/// found.
+pub fn open(system: &System, nothing: &str) -> String {
+    let neither = nothing.to_owned();
+    let Some(count) = Readouts::of(system).map(|readouts| readouts.all.len()) else {
+        return neither;
+    };
+    let many = format!("{count} differences have to vanish");
+    match Quotient::of(system) {
+        _ if count > MOST_READOUTS => format!("{many}: expected at most {MOST_READOUTS}"),
+        Err(Some(most)) => format!(
+            "{many}, at more than {most} combinations of modes and ends of ranges: expected fewer"
+        ),
+        _ if count > MANY => format!(
+            "{neither}, within the limits of the independent checker: {many}, and dense forms of more than {MANY} \
+             are long"
+        ),
+        _ => neither,
+    }
+}
+
+/// Readouts of which a dense form may be beyond the checker's limits.
+const MANY: usize = 40;
+
+/// Most maps of so many readouts.
+fn most_maps(readouts: usize) -> usize {
+    (MOST_ENTRIES / readouts.pow(3).max(1)).clamp(1, MOST_MAPS)
 }
 
 /// The step on readouts.
@@ -43,18 +68,20 @@ struct Quotient {
 }
 
 impl Quotient {
-    fn of(system: &System) -> Option<Self> {
-        let readouts = Readouts::of(system)?;
+    /// The step on readouts; else how many maps there may be, where there are more.
+    fn of(system: &System) -> std::result::Result<Self, Option<usize>> {
+        let readouts = Readouts::of(system).ok_or(None)?;
         if readouts.all.is_empty() || readouts.all.len() > MOST_READOUTS {
-            return None;
+            return Err(None);
         }
+        let most = most_maps(readouts.all.len());
         let rows = system.modes.iter().map(|m| readouts.quotient(m));
-        let rows = rows.collect::<Option<Vec<_>>>()?;
+        let rows = rows.collect::<Option<Vec<_>>>().ok_or(None)?;
         let mut maps = Vec::new();
         for (mode, rows) in rows.iter().enumerate() {
             let mut corners = vec![system.values(|p| p.low.clone())];
             for p in readouts::parameters_in(rows) {
-                let ends = system.parameters.get(p).map(Parameter::ends)?;
+                let ends = system.parameters.get(p).map(Parameter::ends).ok_or(None)?;
                 corners = corners
                     .iter()
                     .flat_map(|c| {
@@ -67,13 +94,13 @@ impl Quotient {
                         })
                     })
                     .collect();
-                if corners.len() > MOST_MAPS {
-                    return None;
+                if corners.len() > most {
+                    return Err(Some(most));
                 }
             }
             maps.extend(corners.iter().map(|values| (mode, readouts::at(rows, values))));
         }
-        (maps.len() <= MOST_MAPS).then_some(Self { readouts, rows, maps })
+        if maps.len() > most { Err(Some(most)) } else { Ok(Self { readouts, rows, maps }) }
     }
 
     fn doubles(&self) -> Vec<(usize, Matrix)> {

@@ -4,14 +4,17 @@
 //! theories are files beside this one, close to the paper's listings, with the theorems and
 //! their proofs, which are general. Generated are the words about each theorem (`theorems.rs`),
 //! the proof files (`proofs.rs`), and the theory of one scenario, which carries positions that
-//! the spec computed, for PVSio to replay (`scenario.rs`).
+//! the spec computed, for PVSio to replay (`scenario.rs`). A protocol of one's own has a theory of its own
+//! (`own.rs`).
 //!
 //! CI has no PVS. What was replayed, and how, is said in `proofs/pvs`.
 
+mod own;
 mod proofs;
 mod scenario;
 mod theorems;
 
+pub use own::own;
 pub use scenario::Instance;
 
 /// A file of the export, with the proofs of its formulas.

@@ -24,7 +24,7 @@ enum Command {
     Host,
 }
 
-/// The arguments with which this program serves an FMU to its parent process.
+/// The arguments that make this program serve an FMU to its parent process.
 pub(super) const HOST: [&str; 2] = ["fmu", "host"];
 
 #[derive(clap::Args, Debug)]
@@ -47,7 +47,7 @@ struct ExportArgs {
     binary: BinaryArg,
 }
 
-/// Where the commands that write FMUs find the binary.
+/// The location of the FMU binary, for the commands that write FMUs.
 #[derive(clap::Args, Debug)]
 pub(super) struct BinaryArg {
     /// The compiled crate `cordon-fmu` [default: the one beside this program]

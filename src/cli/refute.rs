@@ -172,7 +172,7 @@ impl Args {
         Ok(())
     }
 
-    /// How steps depart from the protocol as written.
+    /// How steps may depart from the protocol as written.
     fn departures(&self) -> Option<Departures> {
         match self.delay {
             Some(longest) => Some(Departures::Late(longest)),
@@ -180,7 +180,7 @@ impl Args {
         }
     }
 
-    /// Whether the search knows what the theorem reads.
+    /// Whether the search supports the theorem.
     fn applies(&self, space: &SearchSpace) -> bool {
         self.departures().is_none() || departing::is_claim(space.theorem, space.form)
     }
@@ -201,7 +201,7 @@ impl Args {
         Ok(theorems.into_iter().map(space).collect())
     }
 
-    /// The weights of --eps, by default those of the unit interval.
+    /// The weights of --eps, or without it those of the unit interval.
     fn weights(&self) -> Result<Vec<Rational>> {
         let Some(text) = &self.eps else {
             let unit = fractions_within(&Rational::zero(), &Rational::one(), self.denominators);
@@ -253,7 +253,7 @@ impl Args {
         Ok(())
     }
 
-    /// What is known where no counterexample was found.
+    /// What the absence of a counterexample establishes.
     fn extent(&self, space: &SearchSpace, extent: Extent) -> String {
         let steps = space.steps;
         let every = match self.departures() {
@@ -319,7 +319,7 @@ fn drone_list(drones: &[usize]) -> String {
     drones.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// One line for every number of drones and every extent.
+/// One line per number of drones and extent.
 fn coverage_lines(covered: &[Coverage], describe: impl Fn(Extent) -> String) -> Vec<String> {
     let mut counts: Vec<usize> = covered.iter().map(|c| c.count).collect();
     counts.dedup();

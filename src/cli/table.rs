@@ -1,4 +1,4 @@
-//! Tables as they come, placements, and long lists in short.
+//! Tables of streamed rows, placements, and abridged lists.
 
 use std::io::Write;
 
@@ -7,17 +7,16 @@ use cordon_core::table::{line, lines, widths};
 use cordon_core::text::cut;
 use cordon_core::{Rational, Result};
 
-/// Widest table of placements, in characters: beyond that only first and last columns would be
-/// readable.
+/// Widest table of placements, in characters: wider ones show only the first and last columns.
 const WIDEST: usize = 160;
 
-/// Most characters of a number in such a table: the line that replays a run has all of it.
+/// Longest number in such a table, in characters: the command that replays the run has all of it.
 const LONGEST: usize = 60;
 
-/// Most placements of a run that are shown whole; of longer runs its first and its last half as many.
+/// Longest run that is shown in full; of longer ones, half as many placements from each end.
 const MOST_PLACEMENTS: usize = 40;
 
-/// Writes a table whose first row is its header, all columns to the right.
+/// Writes a table whose first row is its header, right-aligned.
 ///
 /// # Errors
 /// `out` cannot be written.
@@ -28,8 +27,7 @@ pub fn write(rows: &[Vec<String>], out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
-/// Writes head and rows, all columns to the right; row by row as they come where the widths of
-/// the columns are known beforehand.
+/// Writes head and rows, right-aligned; row by row if the widths of the columns are known in advance.
 ///
 /// # Errors
 /// `out` cannot be written.
@@ -52,7 +50,7 @@ pub fn stream(
     Ok(())
 }
 
-/// Writes one line a placement, exact; of wide ones the columns that fit, of long runs the ends.
+/// Writes one line per placement, with exact numbers; the columns that fit, and for long runs the ends.
 pub fn placements(run: &[Vec<Rational>], out: &mut dyn Write) -> Result<()> {
     let count = run.first().map_or(0, Vec::len);
     let mut rows = vec![std::iter::once("step".to_owned()).chain(names(count)).collect()];
@@ -80,12 +78,13 @@ pub fn placements(run: &[Vec<Rational>], out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
-/// The heads of the positions' columns.
+/// The headings of the columns of positions.
 pub fn names(count: usize) -> impl Iterator<Item = String> {
     (0..count).map(|i| format!("x{i}"))
 }
 
-/// The items with commas between; of more than eight, which are sorted, the ends and how many.
+/// The items, separated by commas; of more than eight, which must be sorted, only the ends and the
+/// number.
 pub fn abridged(weights: &[String]) -> String {
     match weights {
         [first, .., last] if weights.len() > 8 => {
@@ -134,7 +133,7 @@ mod tests {
         assert!(shown(&[vec![long]]).ends_with(&format!("1{}...\n", "0".repeat(59))));
     }
 
-    /// A cell that takes two lines.
+    /// A writer that is full after two lines.
     struct Full(u32);
 
     impl Write for Full {

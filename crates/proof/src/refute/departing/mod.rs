@@ -68,7 +68,7 @@ pub fn search(space: &SearchSpace, departures: Departures) -> Result<SearchResul
                 Some(found) if found.step == 0 => break,
                 Some(found) => found.step - 1,
             };
-            // What the simple searches leave of the budget, the others may use.
+            // What earlier weights leave of the budget, the remaining ones share.
             let mut work = left / others;
             others -= 1;
             left -= work;

@@ -47,7 +47,7 @@ struct ExportArgs {
     binary: BinaryArg,
 }
 
-/// The location of the FMU binary, for the commands that write FMUs.
+/// Where the commands that write FMUs find the binary.
 #[derive(clap::Args, Debug)]
 pub(super) struct BinaryArg {
     /// The compiled crate `cordon-fmu` [default: the one beside this program]

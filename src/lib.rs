@@ -40,7 +40,7 @@
 //! each kind of evidence rests on.
 
 pub use cordon_check::Verdict as CertificateVerdict;
-/// Protocols of one's own: what every engine knows of one. [`protocol_file`] reads one from TOML,
+/// User-defined protocols, as the engines see them. [`protocol_file`] reads one from TOML,
 /// [`system::System::of`] takes one from a Rust type (`examples/own.rs`).
 pub use cordon_core::system;
 pub use cordon_core::{Error, Outcome, Rational, Result};
@@ -62,7 +62,7 @@ use cordon_run::trace::{self as rows, Counted, Selection, shown};
 /// The scenario that a TOML text describes.
 ///
 /// # Errors
-/// The text is no TOML, or a field is unknown, missing or senseless: with line and column.
+/// The text is not TOML, or a field is unknown, missing or meaningless: with line and column.
 ///
 /// ```
 /// let wrong = cordon::scenario("start = [0, 10, 20]\nweight = \"one fifth\"").unwrap_err();
@@ -73,7 +73,7 @@ pub fn scenario(toml: &str) -> Result<Scenario> {
     cordon_run::scenario::parse("scenario", toml)?.finish()
 }
 
-/// The scenario that a TOML text describes, with its tables about the drones' bodies.
+/// The scenario that a TOML text describes, including its flight.
 ///
 /// # Errors
 /// As for [`scenario`].
@@ -83,8 +83,8 @@ pub fn scenario_and_flight(toml: &str) -> Result<(Scenario, Flight)> {
     Ok((draft.finish()?, flight))
 }
 
-/// The exact positions after the protocol steps 0 to `last`: a list for each, one position a
-/// drone.
+/// The exact positions after the protocol steps 0 to `last`: a list for each step, with one position
+/// per drone.
 ///
 /// # Errors
 /// The run is too long to step through.
@@ -93,12 +93,12 @@ pub fn trace(scenario: &Scenario, last: u64) -> Result<Vec<Vec<Rational>>> {
     Ok(rows::select(scenario, selection)?.map(|row| row.positions.lowest()).collect())
 }
 
-/// The exact positions after each of the protocol steps `steps`, without the steps between: a
-/// list for each, one position a drone.
+/// The exact positions after each of the protocol steps `steps`, without the steps in between: a list
+/// for each step, with one position per drone.
 ///
 /// # Errors
 /// The protocol is neither coverage, nor consensus along the line, nor a protocol file; or the
-/// fractions would fill the memory.
+/// fractions would not fit in memory.
 ///
 /// ```
 /// # fn main() -> cordon::Result<()> {
@@ -119,7 +119,7 @@ pub fn jump(scenario: &Scenario, steps: &[u64]) -> Result<Vec<Vec<Rational>>> {
 /// Checks a theorem at every protocol step of the run from 0 to `last`.
 ///
 /// # Errors
-/// The protocol is not coverage, or the start is not one that the theorem is about.
+/// The protocol is not coverage, or the theorem does not apply to the start.
 ///
 /// ```
 /// use cordon::{Form, Outcome, Theorem};
@@ -141,7 +141,7 @@ pub fn check_run(scenario: &Scenario, theorem: Theorem, form: Form, last: u64) -
         .ok_or_else(|| Error::internal("a theorem was checked without result"))
 }
 
-/// Searches the smallest counterexample to a theorem with one of these weights, among swarms of
+/// Searches for the smallest counterexample to a theorem with one of these weights, among swarms with
 /// these numbers of drones (ascending) and protocol steps up to `steps`. `None`: none was found.
 ///
 /// ```
@@ -166,9 +166,9 @@ pub fn refute(
     refute::search(&space).found
 }
 
-/// Searches a proof of a theorem for every number of drones, every step and every real weight
-/// of its range. The certificate is a JSON text, for [`check_certificate`] to judge: what the
-/// search says alone counts for nothing. `None`: no proof was found.
+/// Searches for a proof of a theorem for every number of drones, every step and every real weight of
+/// its range. The certificate is a JSON text, to be judged by [`check_certificate`]: the search itself
+/// need not be trusted. `None`: no proof was found.
 ///
 /// ```
 /// use cordon::{CertificateVerdict, Form, Theorem};
@@ -187,11 +187,11 @@ pub fn prove(theorem: Theorem, form: Form) -> Option<String> {
         .then_some(certificate)
 }
 
-/// The system that the text of a protocol file describes (`docs/src/protocol-file.md`); of a protocol for
-/// any number of agents, with the fewest.
+/// The system that the text of a protocol file describes (`docs/src/protocol-file.md`); for a protocol
+/// with any number of agents, with the fewest.
 ///
 /// # Errors
-/// The text is no protocol: with line, column and key.
+/// The text is not a protocol: with line, column and key.
 ///
 /// ```
 /// # fn main() -> cordon::Result<()> {
@@ -215,11 +215,12 @@ pub fn protocol_file(toml: &str) -> Result<system::System> {
     cordon_run::protocol::parse("protocol", toml)?.system()
 }
 
-/// Searches a proof of what is claimed of a system: at every step, from every assumed start, for all values
-/// of its parameters. The certificate is a JSON text that the independent checker has accepted. `None`: none was found.
+/// Searches for a proof of the claims about a system: at every step, from every assumed start, for all
+/// values of its parameters. The certificate is a JSON text that the independent checker has accepted.
+/// `None`: none was found.
 ///
 /// # Errors
-/// What was found is beyond the checker's limits.
+/// The certificate is beyond the checker's limits.
 pub fn prove_claims(system: &system::System) -> Result<Option<String>> {
     let Some(found) = cordon_proof::claims::prove(system) else { return Ok(None) };
     let certificate = cordon_proof::claims::certificate::certificate(&found.system, &found.proof)
@@ -228,14 +229,15 @@ pub fn prove_claims(system: &system::System) -> Result<Option<String>> {
     Ok(Some(certificate.to_string()))
 }
 
-/// Searches the smallest counterexample to what is claimed of a system, up to step `steps`: constants take the ends of
-/// their ranges and fractions with denominators up to 8, what varies takes its ends. `None`: none was found.
+/// Searches for the smallest counterexample to the claims about a system, up to step `steps`: constants
+/// take the ends of their ranges and fractions with denominators up to 8, varying parameters take their
+/// ends. `None`: none was found.
 pub fn refute_claims(system: &system::System, steps: usize) -> Option<ClaimRun> {
     let constants = cordon_proof::claims::constants(system, 8)?;
     cordon_proof::claims::refute(system, &constants, None, steps).0
 }
 
-/// What the independent checker says of the text of a certificate.
+/// The independent checker's verdict on the text of a certificate.
 pub fn check_certificate(text: &str) -> CertificateVerdict {
     cordon_check::check(text)
 }
@@ -244,7 +246,7 @@ pub fn check_certificate(text: &str) -> CertificateVerdict {
 /// has desired and actual positions at every communication point, and the collisions.
 ///
 /// # Errors
-/// A field of the flight is senseless, a unit fails, or the record would fill the memory.
+/// A field of the flight is meaningless, a unit fails, or the record would not fit in memory.
 ///
 /// ```
 /// # fn main() -> cordon::Result<()> {

@@ -26,7 +26,7 @@ fn main() -> ExitCode {
     let call = Call::of(&command, &matches);
     match run(cli, &call) {
         Ok(outcome) => outcome.into(),
-        // The reader has seen what it wanted (`cordon trace ... | head`).
+        // The reader of the pipe has seen enough (`cordon trace ... | head`).
         Err(e) if e.is_broken_pipe() => Outcome::Holds.into(),
         Err(e) => {
             let e = call.blame(e);
@@ -36,7 +36,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Help, or what is wrong with the command line.
+/// Prints help, or the error in the command line.
 fn usage(error: &clap::Error) -> ExitCode {
     let text = error.render().to_string();
     let plain = text
@@ -61,7 +61,7 @@ fn usage(error: &clap::Error) -> ExitCode {
     }
 }
 
-/// Runs the command. What it says goes to stdout, or to stderr where a file goes to stdout.
+/// Runs the command. Its output goes to stdout, or to stderr where a file goes to stdout.
 fn run(cli: Cli, call: &Call<'_>) -> Result<Outcome> {
     call.complete()?;
     let to_stderr = call.output()?;
@@ -79,6 +79,6 @@ fn run(cli: Cli, call: &Call<'_>) -> Result<Outcome> {
 }
 
 fn report(error: &Error) {
-    // Nothing is left to be done where stderr is closed too.
+    // If stderr is closed too there is nothing left to do.
     let _ = writeln!(Printable(io::stderr()), "error: {error}");
 }

@@ -1,4 +1,4 @@
-//! What both versions of the interface share: an instance, its log, and the guard around calls.
+//! What both versions of the interface share: an instance, its log, and a guard around calls.
 
 use std::ffi::{CStr, CString, c_char, c_uint, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -9,22 +9,22 @@ use cordon_cosim::unit::Value;
 
 use crate::convert;
 
-/// The status codes that are returned here; FMI 2.0 and FMI 3.0 agree in them.
+/// The status codes used here, which have the same values in FMI 2.0 and FMI 3.0.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// The call did what was asked.
     Ok = 0,
-    /// The call was refused; the instance is as it was.
+    /// The call was refused; the instance is unchanged.
     Error = 3,
-    /// The instance is of no more use.
+    /// The instance can no longer be used.
     Fatal = 4,
 }
 
-/// The category of messages in the log: the only one.
+/// The only category of log messages.
 pub const LOG_CATEGORY: &CStr = c"logStatusError";
 
-/// Where the messages of an instance go.
+/// The destination of an instance's log messages.
 pub trait Log {
     /// Hands a message to the importer.
     fn log(&self, instance: &CStr, status: Status, message: &CStr);
@@ -36,14 +36,14 @@ pub struct Component<L> {
     pub name: CString,
     /// The unit under the rules of the standard.
     pub slave: Slave,
-    /// Where messages of the importer's log go.
+    /// The importer's logger.
     pub log: L,
-    /// Texts handed out; they live until the next call.
+    /// Strings handed out; valid until the next call.
     pub texts: Vec<CString>,
 }
 
 impl<L: Log> Component<L> {
-    /// Logs a refusal; its status.
+    /// Logs a refusal and returns its status.
     fn report(&self, refusal: &Refusal) -> Status {
         let status = status_of(refusal);
         self.log.log(&self.name, status, &c_text(&refusal.message));
@@ -51,7 +51,7 @@ impl<L: Log> Component<L> {
     }
 }
 
-/// The status that a refusal becomes.
+/// The status for a refusal.
 pub fn status_of(refusal: &Refusal) -> Status {
     match refusal.severity {
         Severity::Error => Status::Error,
@@ -59,7 +59,7 @@ pub fn status_of(refusal: &Refusal) -> Status {
     }
 }
 
-/// A text for C; zero bytes, which C cannot hold, are left out.
+/// A C string; zero bytes, which C strings cannot contain, are left out.
 pub fn c_text(text: &str) -> CString {
     let bytes: Vec<u8> = text.bytes().filter(|b| *b != 0).collect();
     CString::new(bytes).unwrap_or_default()
@@ -70,7 +70,7 @@ pub fn hand_out<L>(component: Component<L>) -> *mut c_void {
     Box::into_raw(Box::new(component)).cast()
 }
 
-/// Frees an instance; of a null pointer nothing is freed, as the standards want.
+/// Frees an instance; does nothing for a null pointer, as the standards require.
 ///
 /// # Safety
 /// `instance` is null or came from [`hand_out`] with the same `L` and was not freed.
@@ -81,17 +81,17 @@ pub unsafe fn free<L>(instance: *mut c_void) {
     }
 }
 
-/// Runs `body` on an instance: refusals go to its log and become a status, a panic makes the
-/// instance fatal.
+/// Runs `body` on an instance: a refusal is logged and returned as a status, a panic makes the instance
+/// fatal.
 ///
 /// # Safety
-/// `instance` is null or came from [`hand_out`] with the same `L`, was not freed, and is used by
-/// this thread alone during the call.
+/// `instance` is null or came from [`hand_out`] with the same `L`, was not freed, and is used by no
+/// other thread during the call.
 pub unsafe fn with<L: Log>(
     instance: *mut c_void,
     body: impl FnOnce(&mut Component<L>) -> Result<(), Refusal>,
 ) -> Status {
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     let Some(component) = (unsafe { instance.cast::<Component<L>>().as_mut() }) else {
         return Status::Error;
     };
@@ -107,12 +107,12 @@ pub unsafe fn with<L: Log>(
     }
 }
 
-/// Keeps the present state at `*state`: in the snapshot that is there, or in a new one.
+/// Saves the current state at `*state`: into the snapshot there, or into a new one.
 ///
 /// # Safety
 /// `state` is null or points to null or to a snapshot made here and not freed.
 pub unsafe fn save<L>(c: &Component<L>, state: *mut *mut c_void) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     let state = unsafe { convert::place(state) }?;
     let snapshot = c.slave.save()?;
     // SAFETY: null or a snapshot of ours, by the caller.
@@ -128,7 +128,7 @@ pub unsafe fn save<L>(c: &Component<L>, state: *mut *mut c_void) -> Result<(), R
 /// # Safety
 /// `state` is null or a snapshot made here and not freed during `'a`.
 pub unsafe fn snapshot<'a>(state: *mut c_void) -> Result<&'a Snapshot, Refusal> {
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     unsafe { state.cast::<Snapshot>().as_ref() }
         .ok_or_else(|| Refusal::error("the importer passed a null pointer for a state"))
 }
@@ -138,7 +138,7 @@ pub unsafe fn snapshot<'a>(state: *mut c_void) -> Result<&'a Snapshot, Refusal> 
 /// # Safety
 /// `state` is null or points to null or to a snapshot made here and not freed.
 pub unsafe fn free_snapshot(state: *mut *mut c_void) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     let state = unsafe { convert::place(state) }?;
     if !state.is_null() {
         // SAFETY: it came out of `Box::into_raw` here, once.
@@ -153,9 +153,9 @@ pub unsafe fn free_snapshot(state: *mut *mut c_void) -> Result<(), Refusal> {
 /// # Safety
 /// `state` as for [`snapshot`]; at `bytes` there is room for `size` bytes.
 pub unsafe fn serialize(state: *mut c_void, bytes: *mut u8, size: usize) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     let snapshot = unsafe { snapshot(state) }?;
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     let room = unsafe { convert::slice_mut(bytes, size) }?;
     let written = snapshot.to_bytes();
     match room.get_mut(..written.len()) {
@@ -180,28 +180,28 @@ pub unsafe fn deserialize<L>(
     size: usize,
     state: *mut *mut c_void,
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     let bytes = unsafe { convert::slice(bytes, size) }?;
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     let state = unsafe { convert::place(state) }?;
     let snapshot = c.slave.snapshot_from_bytes(bytes)?;
     *state = Box::into_raw(Box::new(snapshot)).cast();
     Ok(())
 }
 
-/// The bytes that the snapshot at `state` needs.
+/// The size in bytes of the serialised snapshot at `state`.
 ///
 /// # Safety
 /// `state` as for [`snapshot`]; `size` is null or can be written.
 pub unsafe fn serialized_size(state: *mut c_void, size: *mut usize) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     let size = unsafe { convert::place(size) }?;
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     *size = unsafe { snapshot(state) }?.to_bytes().len();
     Ok(())
 }
 
-/// Reads texts into `values`; they live until the next call.
+/// Reads strings into `values`; they are valid until the next call.
 ///
 /// # Safety
 /// `references` and `values` have `count` elements.
@@ -211,9 +211,9 @@ pub unsafe fn get_texts<L>(
     values: *mut *const c_char,
     count: usize,
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     let references = unsafe { convert::slice(references, count) }?;
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     let values = unsafe { convert::slice_mut(values, count) }?;
     let read = |r: &c_uint| c.slave.text(*r).map(|t| c_text(&t));
     c.texts = references.iter().map(read).collect::<Result<_, _>>()?;
@@ -223,7 +223,7 @@ pub unsafe fn get_texts<L>(
     Ok(())
 }
 
-/// Sets texts.
+/// Sets strings.
 ///
 /// # Safety
 /// `references` and `values` have `count` elements; the values are strings.
@@ -233,19 +233,19 @@ pub unsafe fn set_texts<L>(
     values: *const *const c_char,
     count: usize,
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     let references = unsafe { convert::slice(references, count) }?;
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     let values = unsafe { convert::slice(values, count) }?;
     for (reference, value) in references.iter().zip(values) {
-        // SAFETY: the caller vouches for it.
+        // SAFETY: as required of the caller.
         let text = unsafe { convert::text(*value) }?;
         c.slave.set(*reference, &Value::Text(text.into()))?;
     }
     Ok(())
 }
 
-/// Checks that the importer asks for categories of messages that there are.
+/// Checks that the requested categories of messages exist.
 ///
 /// # Safety
 /// `categories` are `count` strings.
@@ -253,9 +253,9 @@ pub unsafe fn known_categories(
     categories: *const *const c_char,
     count: usize,
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     for category in unsafe { convert::slice(categories, count) }? {
-        // SAFETY: the caller vouches for it.
+        // SAFETY: as required of the caller.
         let category = unsafe { convert::text(*category) }?;
         if category.as_bytes() != LOG_CATEGORY.to_bytes() {
             return Err(Refusal::error(format!(

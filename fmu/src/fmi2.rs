@@ -26,7 +26,7 @@ type Logger = unsafe extern "C" fn(
     ...
 );
 
-/// `fmi2CallbackFunctions`. The memory functions are not used here, but have their place.
+/// `fmi2CallbackFunctions`. The memory functions are not used here, but are part of the layout.
 #[repr(C)]
 pub struct Callbacks {
     logger: Option<Logger>,
@@ -36,8 +36,8 @@ pub struct Callbacks {
     environment: *mut c_void,
 }
 
-/// The importer's logger. Errors go there always: the standard's `loggingOn` is about debug
-/// messages, of which there are none.
+/// The importer's logger. Errors are always logged: the standard's `loggingOn` concerns debug messages,
+/// of which there are none.
 pub struct Log2 {
     logger: Option<Logger>,
     environment: *mut c_void,
@@ -46,11 +46,11 @@ pub struct Log2 {
 impl Log for Log2 {
     fn log(&self, instance: &CStr, status: Status, message: &CStr) {
         if let Some(logger) = self.logger {
-            // The message goes through `%s`: it may hold per cent signs itself.
+            // The message is passed to `%s`: it may contain per cent signs.
             let (format, category) = (c"%s".as_ptr(), LOG_CATEGORY.as_ptr());
             let (instance, message) = (instance.as_ptr(), message.as_ptr());
-            // SAFETY: the importer gave this function and its environment for this use; the
-            // strings end in a zero byte and outlive the call.
+            // SAFETY: the importer passed this function and its environment for this use; the strings
+            // are zero-terminated and outlive the call.
             unsafe { logger(self.environment, instance, status, category, format, message) };
         }
     }
@@ -74,16 +74,16 @@ pub extern "C" fn fmi2GetVersion() -> *const c_char {
     c"2.0".as_ptr()
 }
 
-/// The types of the interface: the standard's.
+/// The platform types of the interface, `default`.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi2GetTypesPlatform() -> *const c_char {
     c"default".as_ptr()
 }
 
-/// Makes an instance; null where that is impossible, with the reason in the log.
+/// Makes an instance; null if that fails, with the reason in the log.
 ///
 /// # Safety
-/// The strings end in a zero byte; `functions` is null or points to the importer's functions.
+/// The strings are zero-terminated; `functions` is null or points to the importer's functions.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2Instantiate(
     instance_name: *const c_char,
@@ -106,8 +106,8 @@ pub unsafe extern "C" fn fmi2Instantiate(
         let (name, guid) = texts()?;
         match fmu_type {
             CO_SIMULATION => {
-                // A location that is none of a folder here is no fault of units that carry nothing.
-                // SAFETY: the caller vouches for it.
+                // A location that is not a local folder is an error only for units that carry files.
+                // SAFETY: as required of the caller.
                 let location = unsafe { convert::text(resource_location) }.ok();
                 let resources = location.and_then(|location| uri::path(location).ok());
                 Ok((name, Slave::instantiate(FmiVersion::V2, name, guid, resources.as_deref())?))
@@ -146,7 +146,7 @@ pub unsafe extern "C" fn fmi2FreeInstance(c: Instance) {
 /// Switches debug messages, of which there are none.
 ///
 /// # Safety
-/// `c` is an instance; `categories` are so many strings.
+/// `c` is an instance; `categories` has `count` strings.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SetDebugLogging(
     c: Instance,
@@ -158,7 +158,7 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
     unsafe { with(c, |_| component::known_categories(categories, count)) }
 }
 
-/// Tells the instance when the run begins and ends.
+/// Sets the start of the run and, optionally, its end.
 ///
 /// # Safety
 /// `c` is an instance.
@@ -176,7 +176,7 @@ pub unsafe extern "C" fn fmi2SetupExperiment(
     unsafe { with(c, |c| c.slave.set_up(start_time, stop)) }
 }
 
-/// Functions of the instance alone.
+/// Functions that take only the instance.
 macro_rules! plain {
     ($($(#[$doc:meta])* $name:ident => $call:expr;)*) => {$(
         $(#[$doc])*
@@ -198,13 +198,13 @@ plain! {
     fmi2ExitInitializationMode => Slave::exit_initialisation;
     /// Ends the run.
     fmi2Terminate => Slave::terminate;
-    /// Back to the state after instantiation.
+    /// Returns to the state after instantiation.
     fmi2Reset => Slave::reset;
-    /// Cancels an asynchronous step: all steps here are over when they return.
+    /// Cancels an asynchronous step: there are none, all steps are complete when they return.
     fmi2CancelStep => |_: &mut Slave| Err(Refusal::error("no step is under way"));
 }
 
-/// Getters and setters of the types that C can hold as they are.
+/// Getters and setters for types with a direct representation in C.
 macro_rules! values {
     ($($get:ident, $set:ident, $c_type:ty, $read:path, $to_c:expr, $write:expr;)*) => {$(
         /// Reads variables of this type.
@@ -267,7 +267,7 @@ values! {
         |b: bool| Ok::<_, Refusal>(c_int::from(b)), |b: c_int| Ok::<_, Refusal>(Value::Boolean(b != 0));
 }
 
-/// Reads texts; they live until the next call.
+/// Reads strings; they are valid until the next call.
 ///
 /// # Safety
 /// `c` is an instance; `references` and `values` have `count` elements.
@@ -282,7 +282,7 @@ pub unsafe extern "C" fn fmi2GetString(
     unsafe { with(c, |c| component::get_texts(c, references, values, count)) }
 }
 
-/// Sets texts.
+/// Sets strings.
 ///
 /// # Safety
 /// `c` is an instance; `references` and `values` have `count` elements.
@@ -297,20 +297,20 @@ pub unsafe extern "C" fn fmi2SetString(
     unsafe { with(c, |c| component::set_texts(c, references, values, count)) }
 }
 
-/// Keeps the present state.
+/// Saves the current state.
 ///
 /// # Safety
-/// `c` is an instance; `state` points to null or to a state made here.
+/// `c` is an instance; `state` points to null or to a state created here.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetFMUstate(c: Instance, state: *mut State) -> Status {
     // SAFETY: the caller vouches for it.
     unsafe { with(c, |c| component::save(c, state)) }
 }
 
-/// Goes back to a state.
+/// Restores a saved state.
 ///
 /// # Safety
-/// `c` is an instance, `state` a state made here.
+/// `c` is an instance, `state` a state created here.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SetFMUstate(c: Instance, state: State) -> Status {
     // SAFETY: the caller vouches for it.
@@ -320,17 +320,17 @@ pub unsafe extern "C" fn fmi2SetFMUstate(c: Instance, state: State) -> Status {
 /// Frees a state.
 ///
 /// # Safety
-/// `c` is an instance; `state` is null or points to null or to a state made here.
+/// `c` is an instance; `state` is null or points to null or to a state created here.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2FreeFMUstate(c: Instance, state: *mut State) -> Status {
     // SAFETY: the caller vouches for it.
     unsafe { with(c, |_| component::free_snapshot(state)) }
 }
 
-/// The bytes that a serialised state needs.
+/// The size in bytes of a serialised state.
 ///
 /// # Safety
-/// `c` is an instance, `state` a state made here, `size` can be written.
+/// `c` is an instance, `state` a state created here, `size` can be written.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
     c: Instance,
@@ -344,7 +344,7 @@ pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
 /// Serialises a state.
 ///
 /// # Safety
-/// `c` is an instance, `state` a state made here, `bytes` has room for `size` bytes.
+/// `c` is an instance, `state` a state created here, `bytes` has room for `size` bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SerializeFMUstate(
     c: Instance,
@@ -356,7 +356,7 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
     unsafe { with(c, |_| component::serialize(state, bytes.cast(), size)) }
 }
 
-/// Makes a state from bytes.
+/// Deserialises a state.
 ///
 /// # Safety
 /// `c` is an instance, `bytes` has `size` bytes, `state` can be written.
@@ -371,7 +371,7 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     unsafe { with(c, |c| component::deserialize(c, bytes.cast(), size, state)) }
 }
 
-/// Directional derivatives: not provided, as the model description says.
+/// Directional derivatives: not provided, as declared in the model description.
 ///
 /// # Safety
 /// `c` is an instance.
@@ -389,7 +389,7 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
     unsafe { with(c, |_| Err(Refusal::error("directional derivatives are not provided"))) }
 }
 
-/// Derivatives of inputs: not taken, as the model description says.
+/// Derivatives of inputs: not accepted, as declared in the model description.
 ///
 /// # Safety
 /// `c` is an instance.
@@ -405,7 +405,7 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
     unsafe { with(c, |_| Err(Refusal::error("inputs are held, not interpolated"))) }
 }
 
-/// Derivatives of outputs: not provided, as the model description says.
+/// Derivatives of outputs: not provided, as declared in the model description.
 ///
 /// # Safety
 /// `c` is an instance.
@@ -436,10 +436,10 @@ pub unsafe extern "C" fn fmi2DoStep(
     unsafe { with(c, |c| c.slave.do_step(communication_point, step_size)) }
 }
 
-/// Asks about a step under way: there is none ever.
+/// The refusal of questions about a pending step: there never is one.
 const NOTHING_PENDING: &str = "no step is under way";
 
-/// Status of an asynchronous step: all steps here are over when they return.
+/// Status of an asynchronous step: there are none, all steps are complete when they return.
 ///
 /// # Safety
 /// `c` is an instance.
@@ -449,7 +449,7 @@ pub unsafe extern "C" fn fmi2GetStatus(c: Instance, _kind: c_int, _value: *mut S
     unsafe { with(c, |_| Err(Refusal::error(NOTHING_PENDING))) }
 }
 
-/// The end of the last step.
+/// The end time of the last step.
 ///
 /// # Safety
 /// `c` is an instance, `value` can be written.
@@ -473,7 +473,7 @@ const LAST_SUCCESSFUL_TIME: c_int = 2;
 /// `fmi2Terminated` of `fmi2StatusKind`.
 const TERMINATED: c_int = 3;
 
-/// Integers about a step under way: the standard has none.
+/// Integer status of a pending step: the standard defines none.
 ///
 /// # Safety
 /// `c` is an instance.
@@ -510,7 +510,7 @@ pub unsafe extern "C" fn fmi2GetBooleanStatus(
     }
 }
 
-/// A text about a step under way: there is none ever.
+/// String status of a pending step: there never is one.
 ///
 /// # Safety
 /// `c` is an instance.

@@ -1,4 +1,4 @@
-//! FMI 3.0: what co-simulation needs. The rest is in [`crate::fmi3_unsupported`].
+//! FMI 3.0: the functions for co-simulation. The rest is in [`crate::fmi3_unsupported`].
 
 use std::ffi::{CStr, c_char, c_uint, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -24,7 +24,7 @@ type LogMessage = unsafe extern "C" fn(
     message: *const c_char,
 );
 
-/// The importer's logger, silent unless it asked for messages.
+/// The importer's logger, silent unless messages were requested.
 pub struct Log3 {
     log_message: Option<LogMessage>,
     environment: *mut c_void,
@@ -35,8 +35,8 @@ impl Log for Log3 {
     fn log(&self, _instance: &CStr, status: Status, message: &CStr) {
         if let (true, Some(log_message)) = (self.on, self.log_message) {
             let (category, message) = (LOG_CATEGORY.as_ptr(), message.as_ptr());
-            // SAFETY: the importer gave this function and its environment for this use; the
-            // strings end in a zero byte and outlive the call.
+            // SAFETY: the importer passed this function and its environment for this use; the strings
+            // are zero-terminated and outlive the call.
             unsafe { log_message(self.environment, status, category, message) };
         }
     }
@@ -60,11 +60,10 @@ pub extern "C" fn fmi3GetVersion() -> *const c_char {
     c"3.0".as_ptr()
 }
 
-/// Makes an instance for co-simulation; null where that is impossible, with the reason in the
-/// log.
+/// Makes an instance for co-simulation; null if that fails, with the reason in the log.
 ///
 /// # Safety
-/// The strings end in a zero byte; the functions are the importer's.
+/// The strings are zero-terminated; the functions are the importer's.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
     instance_name: *const c_char,
@@ -107,14 +106,14 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
     refuse(&log, &refusal)
 }
 
-/// Logs why no instance was made; null.
+/// Logs why no instance was made, and returns null.
 pub fn refuse(log: &Log3, refusal: &Refusal) -> Instance {
     log.log(c"", component::status_of(refusal), &component::c_text(&refusal.message));
     std::ptr::null_mut()
 }
 
 impl Log3 {
-    /// The log of an instance that the importer wants of another interface type.
+    /// The log for a request of an instance of another interface type.
     pub fn of(log_message: Option<LogMessage>, environment: *mut c_void, on: bool) -> Self {
         Self { log_message, environment, on }
     }
@@ -133,7 +132,7 @@ pub unsafe extern "C" fn fmi3FreeInstance(instance: Instance) {
 /// Switches messages on or off.
 ///
 /// # Safety
-/// `instance` is one; `categories` are so many strings.
+/// `instance` is one; `categories` has `count` strings.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3SetDebugLogging(
     instance: Instance,
@@ -173,7 +172,7 @@ pub unsafe extern "C" fn fmi3EnterInitializationMode(
     }
 }
 
-/// Functions of the instance alone.
+/// Functions that take only the instance.
 macro_rules! plain {
     ($($(#[$doc:meta])* $name:ident => $call:expr;)*) => {$(
         $(#[$doc])*
@@ -193,11 +192,11 @@ plain! {
     fmi3ExitInitializationMode => Slave::exit_initialisation;
     /// Ends the run.
     fmi3Terminate => Slave::terminate;
-    /// Back to the state after instantiation.
+    /// Returns to the state after instantiation.
     fmi3Reset => Slave::reset;
 }
 
-/// Getters and setters of the types that C can hold as they are.
+/// Getters and setters for types with a direct representation in C.
 macro_rules! values {
     ($($get:ident, $set:ident, $c_type:ty, $read:path, $write:path;)*) => {$(
         /// Reads variables of this type.
@@ -260,7 +259,7 @@ values! {
     fmi3GetBoolean, fmi3SetBoolean, bool, Slave::boolean, Value::Boolean;
 }
 
-/// All variables are scalars: one value each.
+/// Checks that there is one value per variable: all variables are scalars.
 fn same_length(references: usize, values: usize) -> Result<(), Refusal> {
     if references == values {
         return Ok(());
@@ -268,7 +267,7 @@ fn same_length(references: usize, values: usize) -> Result<(), Refusal> {
     Err(Refusal::error(format!("{values} values for {references} variables: expected one each")))
 }
 
-/// Reads texts; they live until the next call.
+/// Reads strings; they are valid until the next call.
 ///
 /// # Safety
 /// `instance` is one; the arrays have the stated lengths.
@@ -289,7 +288,7 @@ pub unsafe extern "C" fn fmi3GetString(
     }
 }
 
-/// Sets texts.
+/// Sets strings.
 ///
 /// # Safety
 /// `instance` is one; the arrays have the stated lengths.
@@ -310,20 +309,20 @@ pub unsafe extern "C" fn fmi3SetString(
     }
 }
 
-/// Keeps the present state.
+/// Saves the current state.
 ///
 /// # Safety
-/// `instance` is one; `state` points to null or to a state made here.
+/// `instance` is one; `state` points to null or to a state created here.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3GetFMUState(instance: Instance, state: *mut State) -> Status {
     // SAFETY: the caller vouches for it.
     unsafe { with(instance, |c| component::save(c, state)) }
 }
 
-/// Goes back to a state.
+/// Restores a saved state.
 ///
 /// # Safety
-/// `instance` is one, `state` was made here.
+/// `instance` is one, `state` was created here.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3SetFMUState(instance: Instance, state: State) -> Status {
     // SAFETY: the caller vouches for it.
@@ -333,17 +332,17 @@ pub unsafe extern "C" fn fmi3SetFMUState(instance: Instance, state: State) -> St
 /// Frees a state.
 ///
 /// # Safety
-/// `instance` is one; `state` is null or points to null or to a state made here.
+/// `instance` is one; `state` is null or points to null or to a state created here.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3FreeFMUState(instance: Instance, state: *mut State) -> Status {
     // SAFETY: the caller vouches for it.
     unsafe { with(instance, |_| component::free_snapshot(state)) }
 }
 
-/// The bytes that a serialised state needs.
+/// The size in bytes of a serialised state.
 ///
 /// # Safety
-/// `instance` is one, `state` was made here, `size` can be written.
+/// `instance` is one, `state` was created here, `size` can be written.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3SerializedFMUStateSize(
     instance: Instance,
@@ -357,7 +356,7 @@ pub unsafe extern "C" fn fmi3SerializedFMUStateSize(
 /// Serialises a state.
 ///
 /// # Safety
-/// `instance` is one, `state` was made here, `bytes` has room for `size` bytes.
+/// `instance` is one, `state` was created here, `bytes` has room for `size` bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3SerializeFMUState(
     instance: Instance,
@@ -369,7 +368,7 @@ pub unsafe extern "C" fn fmi3SerializeFMUState(
     unsafe { with(instance, |_| component::serialize(state, bytes, size)) }
 }
 
-/// Makes a state from bytes.
+/// Deserialises a state.
 ///
 /// # Safety
 /// `instance` is one, `bytes` has `size` bytes, `state` can be written.
@@ -384,7 +383,7 @@ pub unsafe extern "C" fn fmi3DeserializeFMUState(
     unsafe { with(instance, |c| component::deserialize(c, bytes, size, state)) }
 }
 
-/// Advances by a step. Nothing here needs events, ends the run or returns early.
+/// Advances by a step. It never needs event handling, ends the run or returns early.
 ///
 /// # Safety
 /// `instance` is one; the results can be written.

@@ -1,5 +1,5 @@
-//! FMI 3.0: what these units have no use for. The standard wants every function to be there;
-//! these say in the log what is not provided and return *error*.
+//! FMI 3.0: the functions that these units do not support. The standard requires all functions to
+//! exist; these log what is not provided and return *error*.
 
 use std::ffi::{c_char, c_uint, c_void};
 
@@ -11,7 +11,7 @@ use crate::fmi3::{Instance, Log3, refuse, with};
 /// `fmi3LogMessageCallback`.
 type LogMessage = unsafe extern "C" fn(*mut c_void, Status, *const c_char, *const c_char);
 
-/// Functions that refuse, with the arguments that the standard gives them.
+/// Functions that refuse, with the standard's arguments.
 macro_rules! refused {
     ($($name:ident ( $($argument:ty),* ) $what:literal;)*) => {$(
         #[doc = concat!("Refuses: ", $what, ".")]
@@ -26,7 +26,7 @@ macro_rules! refused {
     )*};
 }
 
-/// Getters and setters of types that no variable has: of no variables they do nothing.
+/// Getters and setters for types that no variable has: with no variables they succeed.
 macro_rules! types_unused {
     ($($get:ident, $set:ident, $c_type:ty;)*) => {$(
         types_unused!(@one $get, *mut $c_type);

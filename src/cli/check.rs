@@ -22,7 +22,7 @@ pub struct Args {
     pub format: OutputFormat,
 }
 
-/// Lets the independent checker judge certificates; the worst verdict decides.
+/// Runs the independent checker on certificates; the worst verdict decides the outcome.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let mut outcome = Outcome::Holds;
     let (mut verdicts, mut unreadable, mut unread) = (Vec::new(), Vec::new(), None);
@@ -32,7 +32,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         progress::advance(1);
         let verdict = match judged {
             Ok(verdict) => verdict,
-            // The other files are judged all the same.
+            // The remaining files are judged all the same.
             Err(e) => {
                 match args.format {
                     OutputFormat::Text => writeln!(out, "{}: not read", path.display())?,
@@ -77,7 +77,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     Ok(outcome)
 }
 
-/// Reads no more than the largest certificate.
+/// Judges a file, reading no more than the largest certificate.
 fn judge(path: &Path) -> Result<Verdict> {
     let fail = |e| Error::file("read", path, e);
     let mut bytes = Vec::new();

@@ -1,12 +1,12 @@
-//! Engine settings as the values of flags, without the engines knowing of flags.
+//! Engine settings as values of flags, so that engines need not know about flags.
 
 use std::fmt;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
-/// A setting with a few values, each with the name and the help that a user sees.
+/// A setting with a few values, each with the name and the help shown to the user.
 pub trait Choice: Copy + Send + Sync + 'static {
-    /// Each choice by name, value and what the help says of it.
+    /// Every choice: its name, value and help.
     const ALL: &'static [(&'static str, Self, &'static str)];
 }
 
@@ -19,7 +19,7 @@ pub fn choice<T: Choice>() -> impl TypedValueParser<Value = T> {
     })
 }
 
-/// A name that clap let pass and that is none of the choices: never made.
+/// The error for a name that clap accepted and that is not a choice: it cannot happen.
 #[derive(Debug)]
 struct NoChoice;
 

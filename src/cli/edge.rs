@@ -1,4 +1,4 @@
-//! What holds for the files and messages of every command, whichever it is.
+//! Rules for files and messages that apply to every command.
 
 use std::path::{Path, PathBuf};
 
@@ -7,7 +7,7 @@ use clap::parser::ValueSource;
 
 use cordon_core::{Error, Result, files};
 
-/// Commands, flags by their ids, and what else each flag needs to be given.
+/// Flags that need another flag: the command, the flag's id, the other flag.
 const NEEDS: [(&str, &str, &str); 28] = [
     ("trace", "form", "check"),
     ("trace", "engine", "at"),
@@ -39,7 +39,7 @@ const NEEDS: [(&str, &str, &str); 28] = [
     ("threshold", "parameter", "protocol"),
 ];
 
-/// The command that was called, and what it was given.
+/// The command that was called, with its arguments.
 pub struct Call<'a> {
     command: &'a clap::Command,
     matches: &'a ArgMatches,
@@ -55,8 +55,8 @@ impl<'a> Call<'a> {
         Self { command, matches }
     }
 
-    /// Refuses a flag that says nothing without another one. (clap's own `requires` is waived where that
-    /// other flag conflicts with one that is given, and the flag is then ignored in silence.)
+    /// Refuses a flag that has no effect without another one. (clap's own `requires` is waived where
+    /// that other flag conflicts with one that is given; the flag would then be ignored silently.)
     ///
     /// # Errors
     /// The other flag is missing.
@@ -75,11 +75,11 @@ impl<'a> Call<'a> {
         Err(Error::input(format!("--{flag}: expected --{other} with it")))
     }
 
-    /// Looks at `--out` before any work is done. Answers whether the file goes to stdout, where
-    /// nothing else may go then.
+    /// Checks `--out` before any work is done. Returns whether the file goes to stdout, which then may
+    /// carry nothing else.
     ///
     /// # Errors
-    /// It is one of the inputs, it is read-only, or a folder is wanted and `-` given.
+    /// It is one of the inputs or read-only, or a folder is expected and `-` was given.
     pub fn output(&self) -> Result<bool> {
         let Some(out) = self.paths("out").into_iter().next() else { return Ok(false) };
         let input = self.inputs().into_iter().find(|input| files::same(input, out));
@@ -100,8 +100,8 @@ impl<'a> Call<'a> {
         Ok(files::is_stdout(out))
     }
 
-    /// The error in terms of the command line: a message that begins with the name of a flag
-    /// that was given is about that flag.
+    /// The error in terms of the command line: a message that begins with the name of a given flag is
+    /// about that flag.
     pub fn blame(&self, error: Error) -> Error {
         let Error::Input(message) = &error else { return error };
         let field = message.split([':', ' ']).next().unwrap_or_default();
@@ -120,7 +120,7 @@ impl<'a> Call<'a> {
     fn out_is_folder(&self) -> bool {
         let out = self.command.get_arguments().find(|a| a.get_id() == "out");
         let names = out.and_then(|a| a.get_value_names()).unwrap_or_default();
-        // A multi-model lies in a folder, with its FMUs; a submitted sweep too, with its parts.
+        // A multi-model is a folder with its FMUs; so is a submitted sweep, with its parts.
         names.iter().any(|n| n.as_str() == "DIR")
             || self.command.get_name() == "into-cps"
             || matches!(self.matches.try_contains_id("submit"), Ok(true))

@@ -19,8 +19,7 @@ pub struct Args {
     format: OutputFormat,
 }
 
-/// Establishes the errata and prints them; one that cannot be established is a refutation of
-/// this list.
+/// Establishes the errata and prints them; if one cannot be established, the outcome is a refutation.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let all = errata::all();
     if let Some(unknown) = args.numbers.iter().find(|n| !all.iter().any(|e| e.number == **n)) {

@@ -22,7 +22,7 @@ pub struct Args {
     format: Format,
 }
 
-/// Runs and draws the figures, and prints the names of their files.
+/// Runs and draws the figures, and prints the names of the files.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     drawable()?;
     let known = |n: &u32| FIGURES.iter().any(|f| f.number == *n);

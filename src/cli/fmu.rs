@@ -24,7 +24,7 @@ enum Command {
     Host,
 }
 
-/// The arguments with which this program serves an FMU to its parent process.
+/// The arguments that make this program serve an FMU to its parent process.
 pub(super) const HOST: [&str; 2] = ["fmu", "host"];
 
 #[derive(clap::Args, Debug)]

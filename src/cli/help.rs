@@ -1,4 +1,4 @@
-//! What `--help` and completions say beyond the flags: examples, limits, files and numbers.
+//! The parts of `--help` and completions beyond the flags: examples, limits, files and numbers.
 
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser, ValueParser};
 use clap::{Arg, Command, CommandFactory, ValueHint};
@@ -7,7 +7,7 @@ use cordon_spec::theorems::Theorem;
 
 use super::Cli;
 
-/// The command line with all of its help.
+/// The command line with its full help.
 pub fn command() -> Command {
     completed(Cli::command(), "")
 }
@@ -178,7 +178,7 @@ Positions travel as doubles unless the scenario or --exchange says otherwise. Li
     ),
 ];
 
-/// The command called `words`, and all below it, with examples, hints and numbers.
+/// The command called `words` and its subcommands, with examples, hints and numbers.
 fn completed(command: Command, words: &str) -> Command {
     let command = command.mut_args(hinted).mut_subcommands(|sub| {
         let words = format!("{words} {}", sub.get_name());
@@ -204,7 +204,7 @@ fn hinted(arg: Arg) -> Arg {
     let names_theorems = matches!(arg.get_id().as_str(), "theorems" | "theorem" | "check");
     let is_theorems = names_theorems && arg.get_action().takes_values()
         || names.first().is_some_and(|n| n.as_str() == "NUMBERS") && is_text(&arg);
-    // `-1` is a number that is out of range, no flag.
+    // `-1` is a number out of range, not a flag.
     let takes_number = arg.get_action().takes_values() && !arg.is_positional();
     let arg = if takes_number { arg.allow_negative_numbers(true) } else { arg };
     let arg = arg.value_hint(hint);
@@ -215,12 +215,13 @@ fn hinted(arg: Arg) -> Arg {
     }
 }
 
-/// Whether the flag takes a text, and no list of numbers.
+/// Whether the flag takes a text other than a list of numbers.
 fn is_text(arg: &Arg) -> bool {
     arg.get_value_parser().type_id() == std::any::TypeId::of::<String>()
 }
 
-/// A list of theorems: any text, judged later; completions offer the numbers.
+/// The parser of lists of theorems: any text is accepted and checked later; completions offer the
+/// numbers.
 #[derive(Clone)]
 struct Theorems;
 

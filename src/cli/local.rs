@@ -45,7 +45,7 @@ pub struct Args {
 /// Most ticks: every tick is a row.
 const MAX_TICKS: u64 = 100_000;
 
-/// Runs the local machines beside the global protocol and compares.
+/// Runs the local machines and the global protocol side by side, and compares them.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if args.digits.is_some() && args.format == OutputFormat::Json {
         return Err(Error::input("digits: expected together with the format `text` only"));

@@ -1,4 +1,4 @@
-//! Commands that need the repository, and moved into it.
+//! Commands that need the repository and have moved into it.
 
 use cordon_core::Error;
 
@@ -9,7 +9,7 @@ pub struct Args {
     _rest: Vec<String>,
 }
 
-/// Says where the command is now.
+/// The error that names the command's new place.
 pub(super) fn to(name: &str) -> Error {
     Error::input(format!(
         "`cordon {name}` works inside the repository only: expected `cargo xtask {name}`, in its folder"

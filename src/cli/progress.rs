@@ -1,4 +1,4 @@
-//! Signs of life of work over two seconds: on a terminal, nothing elsewhere.
+//! Progress of work that takes over two seconds: shown on a terminal only.
 
 use std::io::{self, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
@@ -9,32 +9,32 @@ use std::time::Duration;
 use cordon_core::progress::so_far;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// From when on work is long.
+/// Time after which progress is shown.
 const LONG: Duration = Duration::from_secs(2);
 
-/// How often it is drawn.
+/// Refresh interval.
 const REFRESH: Duration = Duration::from_millis(200);
 
 static ELSEWHERE: AtomicBool = AtomicBool::new(false);
 static AT_ONCE: AtomicBool = AtomicBool::new(false);
 
-/// Says on stderr, before it begins, that work is going to be long.
+/// Announces on stderr that the work is going to be long.
 pub fn announce(what: &str) {
-    // Nothing is left to be done where stderr is closed.
+    // If stderr is closed there is nothing left to do.
     let _ = writeln!(io::stderr(), "note: {what}");
 }
 
-/// From now on, however short the work is.
+/// Shows progress from now on, however short the work is.
 pub fn at_once() {
     AT_ONCE.store(true, Relaxed);
 }
 
-/// The command shows its progress itself.
+/// Disables this display: the command shows its own progress.
 pub fn shown_elsewhere() {
     ELSEWHERE.store(true, Relaxed);
 }
 
-/// Draws until it is dropped.
+/// Shows progress until it is dropped.
 pub struct Heartbeat {
     bar: ProgressBar,
     ended: Option<Sender<()>>,
@@ -42,7 +42,7 @@ pub struct Heartbeat {
 }
 
 impl Heartbeat {
-    /// Begins to wait; `None` where stderr is no terminal.
+    /// Starts the timer; `None` where stderr is not a terminal.
     pub fn start() -> Option<Self> {
         if !io::stderr().is_terminal() {
             return None;
@@ -75,7 +75,7 @@ fn draw(bar: &ProgressBar) {
     } else {
         "{spinner} at work for {elapsed}"
     };
-    // A template of our own that does not parse leaves the usual bar.
+    // If our own template did not parse, the default bar would be shown.
     if let Ok(style) = ProgressStyle::with_template(template) {
         bar.set_style(style);
     }
@@ -86,19 +86,19 @@ impl Drop for Heartbeat {
     fn drop(&mut self) {
         drop(self.ended.take());
         if let Some(thread) = self.thread.take() {
-            // A thread that has panicked draws no more.
+            // A thread that has panicked draws nothing more.
             let _ = thread.join();
         }
         self.bar.finish_and_clear();
     }
 }
 
-/// A stream that may share the terminal with the heartbeat: the line is cleared while it is
-/// written.
+/// A stream that may share the terminal with the progress line, which is cleared while the stream is
+/// written to.
 pub struct Beside<'h, W> {
     /// The stream that is written.
     pub stream: W,
-    /// What is drawn, if anything is.
+    /// The progress display, if any.
     pub heartbeat: Option<&'h Heartbeat>,
 }
 

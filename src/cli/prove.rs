@@ -53,7 +53,7 @@ pub enum FormChoice {
     Both,
 }
 
-/// Searches certificates, has each one checked, and writes them.
+/// Searches for certificates, has each one checked, and writes them.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if let Some((file, flow)) = args.own.flow()? {
         let folder = args.out.as_deref();
@@ -108,7 +108,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     Ok(outcome)
 }
 
-/// How a search ended.
+/// The result of a search.
 struct Ended {
     name: String,
     outcome: Outcome,
@@ -139,7 +139,7 @@ fn attempt(claim: &Claim, scope: Scope) -> Ended {
             format!("{base}{n}{}", w.unwrap_or_default())
         }
     };
-    // A counterexample is cheap to look for.
+    // A counterexample is cheap to search for.
     let (count, weights) = (scope.drones.map(|n| n as usize), scope.weights.as_ref());
     let evident = |t| refute::evident(t, scope.form, count, weights);
     if let Some(found) = claim.theorem.and_then(evident) {
@@ -162,7 +162,7 @@ fn attempt(claim: &Claim, scope: Scope) -> Ended {
     }
 }
 
-/// The flag without which there is a strategy, where one flag alone is in the way.
+/// A note on which flag to drop so that there is a strategy, if that helps.
 fn hindrance(claim: &Claim, scope: &Scope) -> String {
     let without = [
         ("--eps", scope.weights.is_some(), Scope { weights: None, ..scope.clone() }),
@@ -182,7 +182,7 @@ fn hindrance(claim: &Claim, scope: &Scope) -> String {
     }
 }
 
-/// What the independent checker says of a certificate decides.
+/// The result for a certificate is decided by the independent checker.
 fn judged(name: String, outcome: Outcome, word: &str, certificate: Value) -> Ended {
     match certificate::judged(&certificate) {
         Ok(claim) => Ended {
@@ -205,7 +205,8 @@ fn judged(name: String, outcome: Outcome, word: &str, certificate: Value) -> End
     }
 }
 
-/// The claims asked for, each with its forms. Of `all`, those that a narrowed scope leaves out are not.
+/// The requested claims, each with its forms; `all` leaves out those that do not apply in a narrowed
+/// scope.
 fn claims(args: &Args, narrowed: &Scope) -> Result<Vec<(&'static Claim, Form)>> {
     let forms: &[Form] = match args.form {
         FormChoice::Paper => &[Form::Paper],
@@ -224,7 +225,7 @@ fn claims(args: &Args, narrowed: &Scope) -> Result<Vec<(&'static Claim, Form)>> 
             theorems::expected(name, &like(name))
         )));
     }
-    // `all` has claims with one form only; who names such a claim is told.
+    // `all` includes claims with a single form; if such a claim is named, `--form paper` is an error.
     let formless = |c: &&Claim| c.theorem.is_none() && names.contains(&c.name);
     if let (FormChoice::Paper, Some(claim)) = (args.form, CLAIMS.iter().find(formless)) {
         return Err(Error::input(format!(
@@ -244,8 +245,8 @@ fn claims(args: &Args, narrowed: &Scope) -> Result<Vec<(&'static Claim, Form)>> 
         .collect())
 }
 
-/// The claims that a wrong name may be one of: the extensions of a theorem, where it begins like them, else
-/// those that are no extensions.
+/// The claims that a wrong name may stand for: the extensions of a theorem if the name begins like
+/// them, otherwise the claims that are not extensions.
 fn like(name: &str) -> String {
     let part = |name: &'static str| name.split_once('-').map_or(name, |(theorem, _)| theorem);
     let begins = name.split_once('-').map_or(name, |(theorem, _)| theorem);

@@ -187,7 +187,7 @@ impl Args {
         }
     }
 
-    /// How steps depart from the protocol as written.
+    /// How steps may depart from the protocol as written.
     fn departures(&self) -> Option<Departures> {
         match self.delay {
             Some(longest) => Some(Departures::Late(longest)),
@@ -195,7 +195,7 @@ impl Args {
         }
     }
 
-    /// Whether the search knows what the theorem reads.
+    /// Whether the search supports the theorem.
     fn applies(&self, space: &SearchSpace) -> bool {
         self.departures().is_none() || departing::is_claim(space.theorem, space.form)
     }
@@ -216,7 +216,7 @@ impl Args {
         Ok(theorems.into_iter().map(space).collect())
     }
 
-    /// The weights of --eps, by default those of the unit interval.
+    /// The weights of --eps, or without it those of the unit interval.
     fn weights(&self) -> Result<Vec<Rational>> {
         let Some(text) = &self.eps else {
             let most = self.greatest(true)?;
@@ -268,7 +268,7 @@ impl Args {
         Ok(())
     }
 
-    /// What is known where no counterexample was found.
+    /// What the absence of a counterexample establishes.
     fn extent(&self, space: &SearchSpace, extent: Extent) -> String {
         let steps = space.steps;
         let every = match self.departures() {
@@ -334,7 +334,7 @@ fn drone_list(drones: &[usize]) -> String {
     drones.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// One line for every number of drones and every extent.
+/// One line per number of drones and extent.
 fn coverage_lines(covered: &[Coverage], describe: impl Fn(Extent) -> String) -> Vec<String> {
     let mut counts: Vec<usize> = covered.iter().map(|c| c.count).collect();
     counts.dedup();

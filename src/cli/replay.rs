@@ -24,7 +24,7 @@ pub struct Args {
     flight: FlightArgs,
 }
 
-/// Writes the page of a recorded or a new run.
+/// Writes the page for a recorded or a new run.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let is_run = match store::Format::of(&args.run) {
         Some(store::Format::Json) => !into_cps::holds_multi_model(&args.run)?,

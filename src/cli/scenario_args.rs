@@ -72,8 +72,8 @@ impl ScenarioArgs {
         self.drawn(None)
     }
 
-    /// The checked scenario; of a protocol file without a start every variable is 0, for so many
-    /// agents as the flags or the file say.
+    /// The checked scenario; for a protocol file without a start all variables are 0, for the number of
+    /// agents in the flags or the file.
     ///
     /// # Errors
     /// The file cannot be read or a field is wrong.
@@ -90,7 +90,7 @@ impl ScenarioArgs {
         Self { start: Some(zeros), ..self.clone() }.scenario()
     }
 
-    /// The checked scenario; a seed draws what its protocol file leaves open in each step.
+    /// The checked scenario; a seed draws the choices that its protocol file leaves open in each step.
     ///
     /// # Errors
     /// The file cannot be read or a field is wrong.
@@ -104,8 +104,8 @@ impl ScenarioArgs {
         )))
     }
 
-    /// The checked scenario, what it says about the drones' bodies, and where; a seed draws what its
-    /// protocol file leaves open in each step.
+    /// The checked scenario, its flight, and the locations of their fields; a seed draws the choices
+    /// that its protocol file leaves open in each step.
     ///
     /// # Errors
     /// The file cannot be read or a field is wrong.
@@ -131,7 +131,7 @@ impl ScenarioArgs {
         Ok((scenario, flight, places))
     }
 
-    /// Names the file in an error about what it says.
+    /// Adds the file's name to an error about its content.
     pub(super) fn in_file<T>(&self, result: Result<T>) -> Result<T> {
         result.map_err(|e| match (&self.file, e) {
             (Some(path), Error::Input(message))
@@ -171,7 +171,7 @@ impl ScenarioArgs {
 /// The positions of a list like `0,10,20.5,1/3`.
 ///
 /// # Errors
-/// An entry that is no number.
+/// An entry that is not a number.
 pub(super) fn positions(list: &str) -> Result<Vec<Rational>> {
     range::list(|i| format!("start: drone {i}"), list)
 }

@@ -54,13 +54,13 @@ pub struct Args {
 }
 
 impl Args {
-    /// The number of drones, which is given where no protocol file is.
+    /// The number of drones, which is present unless a protocol file is given.
     fn drones(&self) -> usize {
         self.drones.unwrap_or_default()
     }
 }
 
-/// Numbers of drones up to this take a second or two.
+/// Up to this number of drones the search takes a second or two.
 const QUICK: usize = 5_000;
 
 /// Finds the settling step.
@@ -182,7 +182,7 @@ fn text(args: &Args, found: &Settling, out: &mut dyn Write) -> Result<()> {
             for p in proved {
                 let c = rounded_up(&p.rate).unwrap_or_else(|| p.rate.clone());
                 let (_, by) = describe(&p.by);
-                // Where six places would round it to 1.
+                // Where six places would round it up to 1.
                 let million = Rational::from_integer(1_000_000.into());
                 let shown = match (&c * &million).is_integer() {
                     true => decimal_string(&c, 6),

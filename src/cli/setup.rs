@@ -17,7 +17,7 @@ pub struct Args {
 
 /// Prints a completion script.
 pub(super) fn completions(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    // Through a buffer: the generator panics where a write fails.
+    // Into a buffer first: the generator panics if a write fails.
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut help::command(), "cordon", &mut script);
     out.write_all(&script)?;

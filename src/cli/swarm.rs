@@ -40,7 +40,7 @@ pub struct Args {
 /// Most drone updates of one run: some ten minutes.
 const MAX_UPDATES: u64 = 1_000_000_000_000;
 
-/// Runs a large swarm in doubles and says how far it may be from the exact run.
+/// Runs a large swarm in doubles and bounds its distance from the exact run.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let updates = (args.drones as u64).saturating_mul(args.steps);
     if updates > MAX_UPDATES {
@@ -69,7 +69,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         OutputFormat::Text => text(&swarm, &eps, &shown, out)?,
         OutputFormat::Json => as_json(&swarm, &eps, &shown, out)?,
     }
-    // Without a finite bound the doubles say nothing of the exact run.
+    // Without a finite bound the doubles imply nothing about the exact run.
     Ok(if swarm.error().is_finite() { Outcome::Holds } else { Outcome::Inconclusive })
 }
 
@@ -87,7 +87,7 @@ fn drones_shown(args: &Args) -> Result<Vec<usize>> {
     }
 }
 
-/// Whether the exact run is ordered after the last step, as far as the doubles can tell.
+/// Whether the exact run is in order after the last step, as far as the doubles can tell.
 fn order(swarm: &Swarm) -> &'static str {
     let (gap, margin) = swarm.smallest_gap();
     if gap > margin {

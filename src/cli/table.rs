@@ -13,13 +13,13 @@ const WIDEST: usize = 160;
 /// Widest table of a trace, in characters.
 const WIDEST_TRACE: usize = 200;
 
-/// Most characters of a number in such a table: the line that replays a run has all of it.
+/// Longest number in such a table, in characters: the command that replays the run has all of it.
 const LONGEST: usize = 60;
 
-/// Most states of a run that are shown; of longer runs its first and its last half as many.
+/// Longest run that is shown in full; of longer ones, half as many states from each end.
 const MOST_STATES: usize = 40;
 
-/// Writes a table whose first row is its header, all columns to the right.
+/// Writes a table whose first row is its header, right-aligned.
 ///
 /// # Errors
 /// `out` cannot be written.
@@ -30,8 +30,8 @@ pub fn write(rows: &[Vec<String>], out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
-/// Writes head and rows, all columns to the right; row by row as they come where the widths of
-/// the columns are known beforehand. Of wide tables the columns at both ends that fit.
+/// Writes head and rows, right-aligned; row by row if the widths of the columns are known in advance.
+/// Wide tables show the columns at both ends that fit.
 ///
 /// # Errors
 /// `out` cannot be written.

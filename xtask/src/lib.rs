@@ -1,5 +1,5 @@
-//! What works inside the repository only: the matrix of evidence, the model checker's runner,
-//! the test vectors of the mechanised mirrors.
+//! Tasks that work only inside the repository: the matrix of evidence, the model checker's runner, the
+//! test vectors of the mechanised mirrors.
 
 pub mod cli;
 pub mod model_check;

@@ -1,4 +1,4 @@
-//! `cargo xtask`: what works inside the repository only.
+//! `cargo xtask`: tasks that work only inside the repository.
 
 use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
@@ -18,7 +18,7 @@ fn main() -> ExitCode {
         Ok(outcome) => outcome.into(),
         Err(e) if e.is_broken_pipe() => Outcome::Holds.into(),
         Err(e) => {
-            // Nothing is left to be done where stderr is closed too.
+            // If stderr is closed too there is nothing left to do.
             let _ = writeln!(io::stderr(), "error: {e}");
             e.code().into()
         }

@@ -57,24 +57,23 @@ pub enum Error {
     /// A file could not be read or written (exit code 74, `EX_IOERR`).
     #[error("cannot {action} `{}`: {source}", path.display())]
     File {
-        /// What was to be done, as a verb that goes with the path: `read`, `create`, `lock`.
+        /// The operation, as a verb that goes with the path: `read`, `create`, `lock`.
         action: &'static str,
-        /// The file that was to be read or written, as the user named it.
+        /// The file, as the user named it.
         path: PathBuf,
-        /// What the operating system said.
+        /// The operating system's error.
         source: io::Error,
     },
     /// stdout or stderr could not be written (exit code 74).
     #[error("cannot write the output: {0}")]
     Output(#[from] io::Error),
-    /// The independent checker does not accept what a search of Cordon's own has found (exit
-    /// code 4).
+    /// The independent checker rejects what one of Cordon's own searches found (exit code 4).
     #[error(
         "the independent checker rejects what was found: {0}; the fault is cordon's, not the input's: please report it with the command"
     )]
     Rejected(String),
-    /// Something of Cordon's own does not hold (exit code 70, `EX_SOFTWARE`): nothing that
-    /// the user can mend, and never said of bad input.
+    /// A fault inside Cordon (exit code 70, `EX_SOFTWARE`): never caused by bad input, and nothing that
+    /// the user can mend.
     #[error(
         "internal fault: {0}; the fault is cordon's, not the input's: please report it with the command"
     )]
@@ -82,12 +81,12 @@ pub enum Error {
 }
 
 impl Error {
-    /// An [`Error::Input`] from anything that can be said.
+    /// An [`Error::Input`] with this message.
     pub fn input(message: impl Into<String>) -> Self {
         Self::Input(message.into())
     }
 
-    /// An [`Error::Internal`] from anything that can be said.
+    /// An [`Error::Internal`] with this message.
     pub fn internal(message: impl Into<String>) -> Self {
         Self::Internal(message.into())
     }
@@ -107,11 +106,11 @@ impl Error {
         }
     }
 
-    /// Whether the reader of stdout has gone away, which is no fault worth a message.
+    /// Whether the reader of stdout has gone away, which deserves no message.
     pub fn is_broken_pipe(&self) -> bool {
         matches!(self, Self::Output(e) if e.kind() == io::ErrorKind::BrokenPipe)
     }
 }
 
-/// The result of anything here that can fail.
+/// The result of every fallible function in Cordon.
 pub type Result<T, E = Error> = std::result::Result<T, E>;

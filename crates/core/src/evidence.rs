@@ -2,17 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The kinds of evidence, in order of strength; each reaches as far as its description says and
-/// no further.
+/// The kinds of evidence, weakest first; each covers what its description says and no more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(into = "&'static str", try_from = "String")]
 #[non_exhaustive]
 pub enum Evidence {
-    /// One run was looked at, at the steps that it has.
+    /// One run was checked, at its recorded steps only.
     ThisRunOnly,
-    /// Some starts or runs, drawn at random, were looked at.
+    /// Some starts or runs, drawn at random, were checked.
     Sampled,
-    /// Every start on a grid was tried, at every step up to a last one.
+    /// Every start on a grid was checked, at every step up to a bound.
     ExhaustiveOnGrid,
     /// All real starts were decided, for the listed N, weights and steps.
     CompleteForAllStarts,
@@ -20,7 +19,7 @@ pub enum Evidence {
     ModelChecked,
     /// A solver proved the inductive step: all starts, weights and steps, for the listed N.
     InductivePerCount,
-    /// An invariant is kept by a step: all starts of it, and all steps.
+    /// Every step preserves an invariant: all steps, for all starts that satisfy it.
     Inductive,
     /// The independent checker accepted a certificate.
     Certified,
@@ -42,7 +41,7 @@ impl Evidence {
         Self::Mechanised,
     ];
 
-    /// The kind in words, as outputs and result files have it.
+    /// The name of the kind, as printed and as written to result files.
     pub fn text(self) -> &'static str {
         match self {
             Self::ThisRunOnly => "this run only",

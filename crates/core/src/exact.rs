@@ -26,7 +26,7 @@ pub fn parse(what: &str, text: &str) -> Result<Rational> {
     parse_exact(text).map_err(|why| Error::input(format!("{what}: `{}` {why}", shortened(text))))
 }
 
-/// What a user wrote, cut where it is too long for a message.
+/// User input, shortened for a message.
 pub fn shortened(text: &str) -> String {
     cut(text, 40)
 }
@@ -98,7 +98,7 @@ pub fn fraction(x: &Rational) -> String {
     x.to_string()
 }
 
-/// [`fraction`], powers of ten below 1 as `10^-m`.
+/// As [`fraction`], but powers of ten below 1 as `10^-m`.
 pub fn in_short(x: &Rational) -> String {
     let text = x.denom().to_string();
     match text.strip_prefix('1').filter(|z| !z.is_empty() && z.bytes().all(|b| b == b'0')) {
@@ -157,11 +157,11 @@ fn by_first_bits(num: &BigInt, den: &BigUint) -> Option<f64> {
     if n == u64::MAX {
         return None;
     }
-    // Between these, over 2^64, is the quotient of all that begins with these bits.
+    // Any quotient of numbers that begin with these bits lies between these two, over 2^64.
     let least = (u128::from(n) << 64) / (u128::from(d) + 1);
     let most = (u128::from(n + 1) << 64) / u128::from(d) + 1;
     let exponent = below_n - below_d - 64;
-    // Far from the ends of the range of doubles a power of two changes the exponent alone.
+    // Well inside the range of doubles a power of two changes the exponent alone.
     if least as f64 != most as f64 || !(-900..900).contains(&exponent) {
         return None;
     }
@@ -169,8 +169,8 @@ fn by_first_bits(num: &BigInt, den: &BigUint) -> Option<f64> {
     Some(if num.sign() == Sign::Minus { -size } else { size })
 }
 
-/// The first 64 bits of a number, the first of them 1, and how many more there are; fewer than none
-/// where zeros were added. `None` of zero.
+/// The first 64 bits of a number, beginning with a 1, and how many bits follow; negative where zeros
+/// were appended. `None` for zero.
 fn first_bits(x: &BigUint) -> Option<(u64, i64)> {
     let mut digits = x.iter_u64_digits();
     let more = 64 * (digits.len() as i64 - 1);
@@ -239,7 +239,7 @@ fn scale_by_power_of_two(bits: u128, exponent: i64) -> f64 {
 mod tests {
     use super::*;
 
-    /// The first bits decide all but a few, and decide as the whole numbers do.
+    /// The first bits decide all but a few cases, and agree with the full computation.
     #[test]
     fn first_bits_round_as_all_bits_do() {
         let (mut decided, mut asked) = (0, 0);

@@ -1,6 +1,6 @@
 //! A 64-bit FNV-1a hash: no protection against malice, enough against mistakes.
 
-/// The hash of what was added so far.
+/// The hash of the bytes added so far.
 #[derive(Clone, Copy, Debug)]
 pub struct Fingerprint(u64);
 
@@ -18,7 +18,7 @@ impl Fingerprint {
         }
     }
 
-    /// Adds a text, separated from the next one by a byte that no text has.
+    /// Adds a text, followed by a byte that occurs in no UTF-8 text.
     pub fn add_text(&mut self, text: &str) {
         self.add(text.as_bytes());
         self.add(&[0xff]);

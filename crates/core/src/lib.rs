@@ -1,14 +1,14 @@
-//! What all of Cordon's engines stand on, and nothing that only one of them needs.
+//! The foundations shared by Cordon's engines; what only one engine needs is kept with that engine.
 //!
 //! * [`exact`]: rationals read and shown exactly; [`range`]: ranges and lists of them;
 //!   [`random`]: seeded choice.
 //! * [`scalar`]: what the spec can be executed on besides rationals.
-//! * [`system`]: what every engine knows of a protocol; [`stencil`]: the coefficients of the coverage
-//!   step.
+//! * [`system`]: a protocol as the engines see it; [`stencil`]: the coefficients of the coverage step.
 //! * [`linear`], [`simplex`]: exact linear algebra and programs.
-//! * [`theorems`], [`violation`], [`evidence`]: the theorems by number, violations in words, what verdicts rest on.
-//! * [`error`], [`files`], [`fingerprint`], [`serial`], [`text`], [`table`], [`progress`]: how a command ends, how it
-//!   reads and writes, what of a user's text is shown, tables, and how far work is.
+//! * [`theorems`], [`violation`], [`evidence`]: the theorems by number, violations in words, kinds of
+//! evidence.
+//! * [`error`], [`files`], [`fingerprint`], [`serial`], [`text`], [`table`], [`progress`]: errors and
+//! exit codes, reading and writing files, showing user text safely, tables, and progress.
 
 pub mod error;
 pub mod evidence;

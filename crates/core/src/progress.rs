@@ -1,23 +1,23 @@
-//! How far work has come: engines count, the command line reads and draws.
+//! Progress: engines count pieces of work, the command line reads the counts and draws them.
 //!
-//! A process has one piece of work at a time, a command's. Nothing is decided by these counts.
+//! A process works on one command at a time. No decision depends on these counts.
 
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 static DONE: AtomicU64 = AtomicU64::new(0);
 static EXPECTED: AtomicU64 = AtomicU64::new(0);
 
-/// So many more pieces of work are to be done.
+/// Announces more pieces of work.
 pub fn expect(pieces: u64) {
     EXPECTED.fetch_add(pieces, Relaxed);
 }
 
-/// So many more pieces are done.
+/// Reports pieces of work as done.
 pub fn advance(pieces: u64) {
     DONE.fetch_add(pieces, Relaxed);
 }
 
-/// Pieces done, and pieces expected in all: 0 where no engine has said.
+/// Pieces done and pieces announced; (0, 0) where no engine has announced any.
 pub fn so_far() -> (u64, u64) {
     (DONE.load(Relaxed), EXPECTED.load(Relaxed))
 }

@@ -4,7 +4,7 @@
 /// change, so that a seed means the same draws for ever.
 pub struct SplitMix(u64);
 
-/// What a draw adds to the state: the golden ratio's fraction, odd.
+/// The increment of the state per draw: 2^64 over the golden ratio, rounded to an odd number.
 const STEP: u64 = 0x9e37_79b9_7f4a_7c15;
 
 impl SplitMix {
@@ -13,7 +13,7 @@ impl SplitMix {
         Self(seed)
     }
 
-    /// The generator with this seed, after so many draws.
+    /// The generator with this seed, after `draws` draws.
     pub fn after(seed: u64, draws: u64) -> Self {
         Self(seed.wrapping_add(draws.wrapping_mul(STEP)))
     }

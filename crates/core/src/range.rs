@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `X` | that number alone: an integer, a fraction or a decimal ([`exact::parse`]) |
 //! | `LO..HI` | from LO to HI, both included |
-//! | `LO..`, `..HI` | to the greatest value that the field has, or from its least |
+//! | `LO..`, `..HI` | to the greatest, or from the least, value that the field allows |
 //! | `[LO,HI]`, `(LO,HI]`, ... | a bracket includes its end, a parenthesis does not |
 //! | `A,B,C` | the numbers listed |
 
@@ -29,7 +29,7 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// Whether `x` belongs to it.
+    /// Whether `x` is in the interval.
     pub fn contains(&self, x: &Rational) -> bool {
         let above = *x > self.low || (self.low_closed && *x == self.low);
         let below = *x < self.high || (self.high_closed && *x == self.high);
@@ -37,7 +37,7 @@ impl Interval {
     }
 }
 
-/// A range of weights; an end left out is that of \[0, 1\], the weights of the paper's
+/// A range of weights; a missing end defaults to that of \[0, 1\], the weights of the paper's
 /// definition 6.
 ///
 /// # Errors
@@ -65,10 +65,10 @@ pub fn interval(what: &str, text: &str) -> Result<Interval> {
     }
 }
 
-/// As [`interval`], where both ends have to belong to it.
+/// As [`interval`], where both ends must be included.
 ///
 /// # Errors
-/// As [`interval`]; or an end that does not belong to it.
+/// As [`interval`]; or an end that is excluded.
 pub fn closed(what: &str, text: &str) -> Result<(Rational, Rational)> {
     match interval(what, text)? {
         Interval { low, low_closed: true, high, high_closed: true } => Ok((low, high)),
@@ -76,7 +76,7 @@ pub fn closed(what: &str, text: &str) -> Result<(Rational, Rational)> {
     }
 }
 
-/// A number or a range of whole numbers, within the bounds that the field has.
+/// A number or a range of integers, within the bounds of the field.
 ///
 /// # Errors
 /// Another form, a number out of bounds, or an empty range; `what` names the field.
@@ -99,15 +99,15 @@ pub fn whole(
     if low > high { Err(empty(what, text)) } else { Ok(low..=high) }
 }
 
-/// The numbers of a list like `0,10,20.5,1/3`; `what` names the field of each.
+/// The numbers of a list like `0,10,20.5,1/3`; `what` gives the name of the field of each.
 ///
 /// # Errors
-/// An entry that is no number.
+/// An entry that is not a number.
 pub fn list(what: impl Fn(usize) -> String, text: &str) -> Result<Vec<Rational>> {
     text.split(',').enumerate().map(|(i, entry)| exact::parse(&what(i), entry)).collect()
 }
 
-/// Whether each end is included, and what is between the brackets; without any, all of it.
+/// Whether each end is included, and the text between the brackets (without brackets, all of it).
 fn bracketed(text: &str) -> (bool, &str, bool) {
     let inner = text.strip_prefix(['[', '(']).and_then(|t| t.strip_suffix([']', ')']));
     match inner {

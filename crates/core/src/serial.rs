@@ -1,7 +1,7 @@
-//! How files hold exact numbers, theorems and forms: as fractions, by number, by label.
+//! Serialisation of exact numbers (as fractions), theorems (by number) and forms (by label).
 //!
-//! `#[serde(with = "cordon_core::serial")]` on a field writes and reads it so, and
-//! `#[serde(with = "cordon_core::serial::list")]` each item of a list.
+//! `#[serde(with = "cordon_core::serial")]` serialises a field in this way, and `#[serde(with =
+//! "cordon_core::serial::list")]` each item of a list.
 
 use cordon_spec::theorems::{Form, Theorem};
 use serde::de::Error as _;
@@ -11,15 +11,15 @@ use crate::exact::{self, Rational};
 use crate::theorems;
 use crate::{Error, Result};
 
-/// A value that files hold as text.
+/// A value that is stored as text.
 pub trait Textual: Sized {
     /// The text of the value.
     fn to_text(&self) -> String;
 
-    /// The value of a text.
+    /// The value that a text denotes.
     ///
     /// # Errors
-    /// The text is that of no value.
+    /// The text denotes no value.
     fn from_text(text: &str) -> Result<Self>;
 }
 
@@ -68,7 +68,7 @@ pub fn serialize<T: Textual, S: Serializer>(value: &T, to: S) -> Result<S::Ok, S
 /// Reads the value from its text.
 ///
 /// # Errors
-/// Those of the deserializer, and a text that is that of no value.
+/// Those of the deserializer, and a text that denotes no value.
 pub fn deserialize<'de, T: Textual, D: Deserializer<'de>>(from: D) -> Result<T, D::Error> {
     T::from_text(&String::deserialize(from)?).map_err(D::Error::custom)
 }
@@ -89,7 +89,7 @@ pub mod list {
     /// Reads each item from its text.
     ///
     /// # Errors
-    /// Those of the deserializer, and a text that is that of no value.
+    /// Those of the deserializer, and a text that denotes no value.
     pub fn deserialize<'de, T: Textual, D: Deserializer<'de>>(from: D) -> Result<Vec<T>, D::Error> {
         let texts = Vec::<String>::deserialize(from)?;
         texts.iter().map(|t| T::from_text(t)).collect::<Result<_>>().map_err(D::Error::custom)

@@ -15,7 +15,7 @@ use num_traits::One;
 
 use crate::Rational;
 
-/// Place of a drone in the line: all that the update looks at beside positions.
+/// Place of a drone in the line: all that the update depends on besides positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Role {
     /// Drone 0, which stays at min (coverage).
@@ -42,27 +42,27 @@ impl Role {
     }
 }
 
-/// How much each input counts in the next position of a drone, in units of 1/den of the
-/// [`Stencil`] it belongs to.
+/// The weight of each input in the next position of a drone, in units of 1/den of the [`Stencil`] it
+/// belongs to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Weights<T> {
     /// Of the segment's left end.
     pub min: T,
     /// Of the segment's right end.
     pub max: T,
-    /// Of the preceding drone's position (drone 0: of the left end in its stead).
+    /// Of the preceding drone's position (for drone 0: of the left end instead).
     pub prec: T,
     /// Of the drone's own position.
     pub own: T,
-    /// Of the following drone's position (drone N-1: of the right end in its stead).
+    /// Of the following drone's position (for drone N-1: of the right end instead).
     pub foll: T,
 }
 
 impl<T> Weights<T> {
-    /// The same weights as numbers of another kind.
+    /// The same weights over another type of number.
     ///
     /// # Errors
-    /// The first that `f` reports.
+    /// The first error of `f`.
     pub fn try_map<U, E>(&self, mut f: impl FnMut(&T) -> Result<U, E>) -> Result<Weights<U>, E> {
         Ok(Weights {
             min: f(&self.min)?,
@@ -73,7 +73,7 @@ impl<T> Weights<T> {
         })
     }
 
-    /// The same weights as numbers of another kind.
+    /// The same weights over another type of number.
     pub fn map<U>(&self, f: impl Fn(&T) -> U) -> Weights<U> {
         let Self { min, max, prec, own, foll } = self;
         Weights { min: f(min), max: f(max), prec: f(prec), own: f(own), foll: f(foll) }
@@ -94,23 +94,23 @@ impl<T: Scalar> Weights<T> {
     }
 }
 
-/// The update of the coverage protocol for one weight eps: integer weights over one
-/// denominator, a set of them for each role.
+/// The update of the coverage protocol for one weight eps: integer weights over one denominator, one
+/// set for each role.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stencil<T = BigInt> {
     /// The common denominator, positive; for eps = p/q in lowest terms it is q.
     pub den: T,
     /// Weights of drone 0.
     pub first: Weights<T>,
-    /// Weights of every drone between.
+    /// Weights of every internal drone.
     pub internal: Weights<T>,
     /// Weights of drone N-1.
     pub last: Weights<T>,
 }
 
 impl Stencil {
-    /// The weights that [`exec_cvg`] has for the weight `eps`, any rational, over their
-    /// least common denominator.
+    /// The weights of [`exec_cvg`] for the weight `eps`, any rational, over their least common
+    /// denominator.
     pub fn of(eps: &Rational) -> Self {
         let Stencil { first, internal, last, .. } = Stencil::executed(eps);
         let den = [&first, &internal, &last]
@@ -124,10 +124,10 @@ impl Stencil {
 }
 
 impl<T: Scalar> Stencil<T> {
-    /// The weights that [`exec_cvg`] has for a weight eps of any kind, a symbol for one, over
-    /// the denominator 1: what it answers where one input is 1 and the others are 0.
+    /// The weights of [`exec_cvg`] for an eps of any scalar type (a symbol, say) over the denominator
+    /// 1: its results where one input is 1 and the others are 0.
     pub fn executed(eps: &T) -> Self {
-        // A line of three has one drone of each role.
+        // In a line of three there is one drone of each role.
         let [first, internal, last] = [0, 1, 2].map(|i| {
             let at = |input: usize| {
                 let is = |j| T::from_int(i32::from(j == input));
@@ -150,10 +150,10 @@ impl<T> Stencil<T> {
         }
     }
 
-    /// The same stencil over numbers of another kind.
+    /// The same stencil over another type of number.
     ///
     /// # Errors
-    /// The first that `f` reports (a weight out of range, say).
+    /// The first error of `f` (a weight out of range, say).
     pub fn try_map<U, E>(&self, mut f: impl FnMut(&T) -> Result<U, E>) -> Result<Stencil<U>, E> {
         Ok(Stencil {
             den: f(&self.den)?,

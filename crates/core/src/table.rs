@@ -1,16 +1,16 @@
-//! Tables in text: columns aligned by blanks.
+//! Text tables with aligned columns.
 
-/// The lines of a table whose first row is its header: columns two blanks apart, those that
-/// `left` names aligned to the left and the others to the right.
+/// The lines of a table whose first row is its header: columns two spaces apart, those in `left`
+/// aligned to the left and the others to the right.
 pub fn lines(rows: &[Vec<String>], left: impl Fn(usize) -> bool) -> Vec<String> {
     let widths = widths(rows);
     rows.iter().map(|row| line(row, &widths, &left)).collect()
 }
 
-/// One line of such a table, its columns of these widths.
+/// One line of such a table, with these column widths.
 pub fn line(row: &[String], widths: &[usize], left: impl Fn(usize) -> bool) -> String {
     let cells = row.iter().zip(widths).enumerate().map(|(i, (cell, &width))| {
-        // Not by a format's width, which ends at 65,535.
+        // Not by a format width, which is limited to 65,535.
         let blanks = " ".repeat(width.saturating_sub(cell.chars().count()));
         if left(i) { format!("{cell}{blanks}") } else { format!("{blanks}{cell}") }
     });

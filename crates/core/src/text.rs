@@ -1,4 +1,4 @@
-//! Text at the edge: what a user gave, shown so that it does no harm.
+//! User-supplied text, made safe to show.
 
 use std::borrow::Cow;
 use std::io::{self, Write};
@@ -10,8 +10,8 @@ fn harmful(c: char) -> bool {
     c.is_control() && !matches!(c, '\n' | '\t')
 }
 
-/// The text without control characters, which steer terminals and are no XML: each becomes
-/// U+FFFD. Line ends and tabs stay.
+/// The text with control characters, which steer terminals and are invalid in XML, replaced by U+FFFD.
+/// Line ends and tabs stay.
 pub fn printable(text: &str) -> Cow<'_, str> {
     if text.chars().any(harmful) {
         text.chars().map(|c| if harmful(c) { REPLACEMENT } else { c }).collect::<String>().into()
@@ -44,7 +44,7 @@ pub fn shell_word(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// A writer of text that passes everything but control characters ([`printable`]).
+/// A writer that makes text [`printable`].
 #[derive(Debug)]
 pub struct Printable<W>(pub W);
 
@@ -55,7 +55,7 @@ impl<W: Write> Write for Printable<W> {
     }
 
     fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
-        // Text comes in whole characters; other bytes are no text, and pass.
+        // Text comes in whole characters; bytes that are not UTF-8 pass unchanged.
         match std::str::from_utf8(bytes) {
             Ok(text) => self.0.write_all(printable(text).as_bytes()),
             Err(_) => self.0.write_all(bytes),

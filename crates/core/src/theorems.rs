@@ -4,13 +4,13 @@ use cordon_spec::theorems::{Form, StartSet, Theorem, WeightRange};
 
 use crate::{Error, Result};
 
-/// The numbers of the theorems, with `between` between.
+/// The numbers of the theorems, joined by `between`.
 pub fn numbers(theorems: &[Theorem], between: &str) -> String {
     theorems.iter().map(|t| t.number()).collect::<Vec<_>>().join(between)
 }
 
-/// The theorems of a list like `7.2,7.4ii`; a number without its part (`7.4`) names all parts,
-/// `all` all theorems.
+/// The theorems of a list like `7.2,7.4ii`; a number without its part (`7.4`) stands for all its parts,
+/// `all` for all theorems.
 ///
 /// # Errors
 /// A number that no theorem has.

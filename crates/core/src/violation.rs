@@ -6,7 +6,7 @@ use cordon_spec::theorems::{Subject, Violation};
 use crate::Rational;
 use crate::text::cut;
 
-/// Most characters of a number: what is longer is no help to a reader, and stands in the run.
+/// Longest number shown, in characters: a longer one helps no reader, and the run has it.
 const LONGEST: usize = 200;
 
 fn shown(x: &Rational) -> String {

@@ -1,4 +1,4 @@
-//! Runs that differ in parameters of FMUs: one for each of the values that a scenario gives them.
+//! Batches: a run for every combination of the parameter values that a scenario lists for FMUs.
 
 use super::cosimulation::Cosimulation;
 use super::seat::Seat;
@@ -8,21 +8,21 @@ use cordon_run::scenario::{Parameter, Substitute};
 /// Most runs of a batch.
 const MOST_RUNS: usize = 10_000;
 
-/// Runs of a swarm.
+/// The runs of a batch.
 pub struct Batch {
-    /// The parameters that have several values, `plant2.drag`.
+    /// The parameters with several values, such as `plant2.drag`.
     pub names: Vec<String>,
-    /// Their values in each run, the last one changing from run to run.
+    /// Their values in each run; the last parameter changes fastest.
     pub runs: Vec<Vec<Rational>>,
-    /// Which unit each of them belongs to, and its name there.
+    /// For each of them the index of its unit, and its name there.
     places: Vec<(usize, String)>,
 }
 
 impl Batch {
-    /// The runs that a swarm stands for; `None` where every parameter has one value.
+    /// The runs that a swarm expands to; `None` where every parameter has one value.
     ///
     /// # Errors
-    /// There are more than ten thousand.
+    /// There are more than ten thousand runs.
     pub fn of(swarm: &Cosimulation) -> Result<Option<Self>> {
         let ranges = |(place, unit): (usize, &Substitute)| {
             let seat = Seat { drone: unit.drone, unit: unit.unit };
@@ -57,7 +57,7 @@ impl Batch {
         Ok(Some(Self { names, runs, places: all.into_iter().map(|(_, p, _)| p).collect() }))
     }
 
-    /// The swarm with the values of a run.
+    /// The swarm with the parameter values of one run.
     pub fn swarm(&self, swarm: &Cosimulation, values: &[Rational]) -> Cosimulation {
         let mut one = swarm.clone();
         for ((place, name), value) in self.places.iter().zip(values) {

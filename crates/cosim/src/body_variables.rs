@@ -1,4 +1,4 @@
-//! The variables of a body that plant and control have in common.
+//! The variables that plant and controller have in common: the parameters of the body.
 
 use super::physics::Body;
 use super::unit::{
@@ -6,12 +6,12 @@ use super::unit::{
     no_such_variable, not_settable,
 };
 
-/// A unit whose variables are doubles, each at a place, but for one.
+/// A unit whose variables are all doubles but one.
 pub(super) trait Doubles: Unit + Sized {
     /// The value of a variable.
     fn double(&self, variable: usize) -> Option<f64>;
 
-    /// The place of a parameter or an input.
+    /// The storage of a parameter or an input.
     fn place_of(&mut self, variable: usize) -> Option<&mut f64>;
 
     /// [`Unit::get`] of a double.
@@ -28,7 +28,7 @@ pub(super) trait Doubles: Unit + Sized {
         Err(not_settable(self, variable))
     }
 
-    /// [`Unit::set`] of what has to be a double.
+    /// [`Unit::set`] for a variable that has to be a double.
     fn set_value(&mut self, variable: usize, value: &Value) -> Result<(), UnitError> {
         let x = expect_real(self, variable, value)?;
         self.set_double(variable, x)
@@ -58,7 +58,7 @@ pub(super) use doubles_at_once;
 /// How many parameters a [`Body`] has.
 pub(super) const COUNT: usize = 9;
 
-/// Gains and body as parameters of a unit, with their units of measurement.
+/// Gains and body as parameters of a unit, with their physical units.
 pub(super) fn parameters() -> Vec<Variable> {
     let Body { gravity, mass, thrust, torque, arm, inertia: [ixx, iyy, izz], yaw } =
         Body::default();
@@ -87,7 +87,7 @@ pub(super) fn rotors(causality: Causality) -> Vec<Variable> {
     ["w1", "w2", "w3", "w4"].map(rotor).into()
 }
 
-/// The twelve numbers of a motion: position, velocity, attitude, turning.
+/// The twelve numbers of a motion: position, velocity, attitude, angular rates.
 pub(super) fn motion(causality: Causality) -> Vec<Variable> {
     let groups = [
         (["x", "y", "z"], Dimension::METRE, "position"),
@@ -101,7 +101,7 @@ pub(super) fn motion(causality: Causality) -> Vec<Variable> {
     groups.into_iter().flat_map(of).collect()
 }
 
-/// The parameter at a place of the table.
+/// The parameter with this index in the table.
 pub(super) fn slot(body: &mut Body, place: usize) -> Option<&mut f64> {
     let [ixx, iyy, izz] = &mut body.inertia;
     let slots: [&mut f64; COUNT] = [
@@ -118,7 +118,7 @@ pub(super) fn slot(body: &mut Body, place: usize) -> Option<&mut f64> {
     slots.into_iter().nth(place)
 }
 
-/// The value of the parameter at a place of the table.
+/// The value of the parameter with this index in the table.
 pub(super) fn value(body: &Body, place: usize) -> Option<f64> {
     slot(&mut body.clone(), place).copied()
 }

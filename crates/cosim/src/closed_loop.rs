@@ -1,7 +1,7 @@
-//! The loop of one drone along x as a linear system, found by running it (PROTOCOL section 3).
+//! The closed loop of one drone along x as a linear system, identified from a run (PROTOCOL section 3).
 //!
-//! The exact units are run by the master that flies them. A linear system is known from as many
-//! states of one of its runs as it has dimensions; further states of the run have to agree.
+//! The exact units are run by the same master as in a flight. As many states of one run as the system
+//! has dimensions determine it; further states of the run have to agree.
 
 use num_traits::{One, Zero};
 
@@ -18,15 +18,15 @@ use cordon_core::{Error, Rational, Result};
 /// Names of the chain's members and of the command, in SI units: m, m/s, .., m/s4.
 const STATE: [&str; 5] = ["x", "v", "a", "j", "u"];
 
-/// Length of the plant's chain, and where position and velocity are in it.
+/// Length of the plant's chain of integrators, and the indices of position and velocity in it.
 const CHAIN: usize = 4;
 const X: usize = 0;
 const V: usize = 1;
 
-/// States of a run that are looked at beyond those that determine the system.
+/// States of a run that are checked beyond those that determine the system.
 const UNSEEN: usize = 6;
 
-/// What a drone's loop depends on.
+/// The parameters of a drone's loop.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Tuning {
     /// Gain lambda_P in 1/s.
@@ -43,32 +43,32 @@ pub struct Tuning {
 
 /// A drone's loop along x: `state' = matrix state + command x_d` from grid point to grid point.
 ///
-/// With x_d held at a drone's place the drone rests there: `command = (1 - matrix) rest`.
+/// With x_d held at the drone's position the drone is at rest: `command = (1 - matrix) rest`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ClosedLoop {
     /// Names of the state's members; the held command u is one of them under a Jacobi master.
     pub state: Vec<&'static str>,
-    /// What a state becomes in a step.
+    /// The state transition of one step.
     pub matrix: Matrix,
-    /// What a wanted position of 1 m adds in a step.
+    /// What a desired position of 1 m adds in a step.
     pub command: Vec<Rational>,
     /// The state at rest at 1 m.
     pub rest: Vec<Rational>,
-    /// Forms of the state, the first being x: at every time from a grid point to the next the
-    /// drone's place is a convex combination of them and of the next x.
+    /// Forms of the state, the first being x: at any time between two grid points the drone's position
+    /// is a convex combination of them and of the next x.
     pub places: Matrix,
-    /// What wind can add to the state in a step: a push of 1 m/s at its end and, unless the
-    /// plant only looks at grid points, at its beginning.
+    /// What wind can add to the state in a step: a push of 1 m/s at its end and, unless the plant is
+    /// evaluated at grid points only, at its beginning.
     pub pushes: Vec<Vec<Rational>>,
     /// The state in which a steady wind of 1 m/s2 leaves the drone at rest, x_d being 0.
     pub trim: Vec<Rational>,
 }
 
 impl ClosedLoop {
-    /// The loop of a drone that is tuned so.
+    /// The loop of a drone with this tuning.
     ///
     /// # Errors
-    /// The step is not positive, or the units are not what this module takes them for.
+    /// The step is not positive, or the units do not behave as this module assumes.
     pub fn of(tuning: &Tuning) -> Result<Self> {
         let size = match tuning.algorithm {
             Algorithm::Jacobi => STATE.len(),
@@ -114,7 +114,7 @@ fn not_linear() -> Error {
     Error::internal("the exact units along x: expected a linear system that rests at x_d")
 }
 
-/// The matrix of which these states are a run. All of the states have to agree with it.
+/// The matrix of the linear system that these states are a run of. All states have to agree with it.
 fn identified(states: &Matrix) -> Result<Matrix> {
     let size = states.first().map_or(0, Vec::len);
     let (Some(from), Some(to)) = (states.get(..size), states.get(1..=size)) else {
@@ -126,7 +126,7 @@ fn identified(states: &Matrix) -> Result<Matrix> {
     follows.then_some(matrix).ok_or_else(not_linear)
 }
 
-/// Controller and plant, the plant at rest at `start`, the wanted position held: chain and
+/// Runs controller and plant, the plant at rest at `start` and the desired position held: chain and
 /// command at every grid point.
 fn run(tuning: &Tuning, start: &Rational, wanted: &Rational, steps: usize) -> Result<Matrix> {
     let mut wiring = Wiring::default();
@@ -169,14 +169,14 @@ fn watched(
     Ok(seen)
 }
 
-/// What happens between two grid points.
+/// The motion between two grid points.
 struct Motion {
     places: Matrix,
     pushes: Vec<Vec<Rational>>,
 }
 
-/// The plant's own motion in a step: with the Euler integrator a straight line, else a
-/// polynomial of degree 4 whose Bernstein coefficients are the places.
+/// The plant's motion within a step: with the Euler integrator a straight line, otherwise a polynomial
+/// of degree 4 with the positions as its Bernstein coefficients.
 fn motion(tuning: &Tuning, size: usize) -> Result<Motion> {
     let unit = |i: usize| -> Vec<Rational> { matrix::unit(size).swap_remove(i) };
     if tuning.integrator == Integrator::Euler {

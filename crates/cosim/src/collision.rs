@@ -1,9 +1,9 @@
-//! Collisions and violations of the order, between the samples too.
+//! Collisions and violations of the order, between the samples as well.
 //!
-//! Within a step the plant's motion is known: a straight line with the Euler integrator, a
-//! polynomial of degree four with the exact one. The zeros of a gap, or in the plane those of a
-//! distance less that at which drones touch, are found on that motion, so that no meeting slips
-//! through between two grid points.
+//! Within a step the plant's motion is known: a straight line with the Euler integrator, a polynomial
+//! of degree four with the exact one. The zeros of a gap (in the plane: of the distance less that at
+//! which drones touch) are found on that motion, so that no collision between two grid points is
+//! missed.
 
 mod bernstein;
 
@@ -24,9 +24,9 @@ pub struct Event {
 /// What can happen to two neighbouring drones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EventKind {
-    /// They are at the same place; in the plane, as near as to touch.
+    /// They are at the same position; in the plane, close enough to touch.
     Collision,
-    /// From here on a drone is beyond its successor.
+    /// From here on a drone has passed its successor.
     OrderLost,
     /// They are in order again.
     OrderRestored,
@@ -42,7 +42,7 @@ impl EventKind {
         }
     }
 
-    /// The kind of that name.
+    /// The kind with this name.
     pub fn named(name: &str) -> Option<Self> {
         [Self::Collision, Self::OrderLost, Self::OrderRestored]
             .into_iter()
@@ -50,12 +50,13 @@ impl EventKind {
     }
 }
 
-/// A drone along an axis at a grid point, as far as its further motion depends on it.
+/// The motion of a drone along an axis at a grid point, as far as the events within a step depend on
+/// it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample {
     /// Position along the line, in metres.
     pub x: f64,
-    /// Velocity along the line, in metres a second.
+    /// Velocity along the line, in m/s.
     pub v: f64,
     /// Acceleration in m/s2: along x it is g theta.
     pub a: f64,
@@ -67,26 +68,27 @@ pub struct Sample {
 pub struct Watch {
     integrator: Integrator,
     tau: f64,
-    /// The distance at which drones collide: 0 on a line, where none gets past another.
+    /// The distance at which drones collide: 0 on a line, where no drone can pass another without
+    /// meeting it.
     reach: f64,
     /// Along each axis the samples of the last grid point.
     last: Vec<Vec<Sample>>,
-    /// Along each axis the motion of every drone in the step that is being looked at.
+    /// Along each axis the motion of every drone in the current step.
     motion: Vec<Vec<Bernstein<MOTION>>>,
-    /// Least and greatest place of every drone along x in this step.
+    /// Least and greatest position of every drone along x in this step.
     ends: Vec<(f64, f64)>,
     /// Drones by the lower end of their motion; nearly sorted from step to step.
     by_place: Vec<usize>,
     /// Pairs that may meet in this step.
     close: Vec<(usize, usize)>,
-    /// Whether drone i is beyond drone i+1.
+    /// Whether drone i has passed drone i+1.
     crossed: Vec<bool>,
     events: Vec<Event>,
 }
 
 impl Watch {
-    /// A watch over drones on a line whose plants have this integrator and step. Two collide
-    /// where they are at the same place.
+    /// A watch over drones on a line whose plants have this integrator and step. Two drones collide
+    /// where they are at the same position.
     pub fn new(integrator: Integrator, tau: f64) -> Self {
         Self {
             integrator,
@@ -102,14 +104,14 @@ impl Watch {
         }
     }
 
-    /// A watch over drones in the plane, where points meet by no chance: two collide where their
-    /// distance falls to `reach`, in m. There is no order to lose.
+    /// A watch over drones in the plane, where centres hardly ever coincide: two drones collide where
+    /// their distance falls to `reach`, in m. There is no order to lose.
     pub fn in_plane(integrator: Integrator, tau: f64, reach: f64) -> Self {
         Self { reach, ..Self::new(integrator, tau) }
     }
 
-    /// The next grid point, along each axis the drones' samples; `time` is that of the last one,
-    /// where the motion begins.
+    /// Adds the next grid point: along each axis the samples of the drones. `time` is that of the
+    /// previous grid point, where the motion begins.
     pub fn next(&mut self, time: f64, samples: &[Vec<Sample>]) {
         if self.last.is_empty() {
             self.by_place = (0..samples.first().map_or(0, Vec::len)).collect();
@@ -130,7 +132,7 @@ impl Watch {
         self.look(time);
     }
 
-    /// Everything that happened, by time.
+    /// All events, by time.
     pub fn finish(mut self) -> Vec<Event> {
         self.events.sort_by(|a, b| {
             a.time.total_cmp(&b.time).then(a.drones.cmp(&b.drones)).then_with(|| {
@@ -141,7 +143,7 @@ impl Watch {
         self.events
     }
 
-    /// Drones that are together or in the wrong order before anything moves.
+    /// Drones that touch or are in the wrong order before anything moves.
     fn start(&mut self) {
         self.find_close();
         let event = |kind, drones| Event { time: 0.0, drones, kind };
@@ -183,7 +185,7 @@ impl Watch {
                 }
                 axes => {
                     let excess = self.excess(axes, i, j);
-                    // Those at which they come nearer, not those at which they part.
+                    // The zeros where they approach each other, not those where they separate.
                     let mut before = 0.0;
                     for s in excess.zeros() {
                         if excess.at((before + s) / 2.0) > 0.0 {
@@ -197,13 +199,13 @@ impl Watch {
         self.close = close;
     }
 
-    /// How far the square of two drones' distance is above that at which they collide.
+    /// The squared distance of two drones less the squared distance at which they collide.
     fn excess(&self, axes: &[Vec<Bernstein<MOTION>>], i: usize, j: usize) -> Bernstein<SQUARE> {
         let squares = axes.iter().map(|axis| at(axis, j).minus(&at(axis, i)).squared());
         squares.fold(Bernstein::constant(-self.reach * self.reach), |sum, s| sum.plus(&s))
     }
 
-    /// The order of drones i and i+1 after each zero of their gap, and in between.
+    /// Records the order of drones i and i+1 after each zero of their gap, and in between.
     fn note_order(&mut self, time: f64, i: usize, gap: &Bernstein<MOTION>, zeros: &[f64]) {
         let from = std::iter::once(0.0).chain(zeros.iter().copied());
         let to = zeros.iter().copied().chain([1.0]);
@@ -220,7 +222,7 @@ impl Watch {
         }
     }
 
-    /// The pairs whose motions' ranges come within reach: all others keep apart in this step.
+    /// The pairs whose ranges of motion come within reach: all others stay apart in this step.
     fn find_close(&mut self) {
         let Some((x, across)) = self.motion.split_first() else { return };
         self.ends.clear();
@@ -250,12 +252,12 @@ fn at(axis: &[Bernstein<MOTION>], drone: usize) -> Bernstein<MOTION> {
     axis.get(drone).copied().unwrap_or(Bernstein::constant(0.0))
 }
 
-/// The motion of a drone in one step, by its states at both ends.
+/// The motion of a drone in one step, from its states at both ends.
 fn moved(integrator: Integrator, tau: f64, from: &Sample, to: &Sample) -> Bernstein<MOTION> {
     match integrator {
         Integrator::Euler => Bernstein::line(from.x, to.x),
         Integrator::Exact => {
-            // The rotors are constant in the step: the jerk grows evenly.
+            // The rotors are constant within the step: the jerk grows linearly.
             let snap = (to.jerk - from.jerk) / tau;
             let powers = [
                 from.x,
@@ -264,7 +266,7 @@ fn moved(integrator: Integrator, tau: f64, from: &Sample, to: &Sample) -> Bernst
                 from.jerk * tau * tau * tau / 6.0,
                 snap * tau * tau * tau * tau / 24.0,
             ];
-            // The end is the recorded one, to the bit: no gap between two steps.
+            // End exactly at the recorded position: no gap between two steps.
             Bernstein::from_powers(powers).ending_at(to.x)
         }
     }

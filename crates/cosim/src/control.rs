@@ -27,13 +27,13 @@ impl Default for Gains {
     }
 }
 
-/// Places of the controller's variables.
+/// Indices of the controller's variables.
 pub mod var {
-    /// Wanted position x_d in m.
+    /// Desired position x_d in m.
     pub const X_D: usize = 0;
-    /// Wanted position y_d in m.
+    /// Desired position y_d in m.
     pub const Y_D: usize = 1;
-    /// Wanted position z_d in m.
+    /// Desired position z_d in m.
     pub const Z_D: usize = 2;
     /// The plant's twelve outputs, in the plant's order.
     pub const STATE: usize = 3;
@@ -96,9 +96,9 @@ impl Law {
         }
     }
 
-    /// The law of the recorded runs: doubles computed from single-precision constants, of
-    /// which C_z and C_phi were computed before they were rounded. The wanted yaw was no constant
-    /// but an input, a double.
+    /// The law of the recorded runs: doubles computed from single-precision constants, except that C_z
+    /// and C_phi were computed before rounding. The desired yaw was not a constant but an input, a
+    /// double.
     fn recorded(body: &Body, gains: Gains) -> Self {
         let nominal = Self::new(body, gains);
         let rounded = Gains { position: single(gains.position), attitude: single(gains.attitude) };
@@ -109,7 +109,7 @@ impl Law {
         }
     }
 
-    /// Rotor values. The order of operations is that of the recorded runs.
+    /// Rotor values. The order of operations is that of the recorded runs, for equal rounding.
     pub(super) fn rotors(&self, wanted: [f64; 3], state: [f64; 12]) -> [f64; 4] {
         let [x_d, y_d, z_d] = wanted;
         let [x, y, z, vx, vy, vz, phi, theta, psi, vphi, vtheta, vpsi] = state;
@@ -157,7 +157,7 @@ impl Control {
         self
     }
 
-    /// The controller of another body.
+    /// The controller for another body.
     #[must_use]
     pub fn with_body(mut self, body: Body) -> Self {
         self.body = body;
@@ -289,8 +289,8 @@ mod tests {
 
     use super::*;
 
-    /// A drone at its place with the yaw that is wanted, which no single-precision number is, has
-    /// nothing to correct.
+    /// A drone at rest with the desired yaw, which is not a single-precision number, has nothing to
+    /// correct.
     #[test]
     fn the_wanted_yaw_of_the_recorded_arithmetic_is_a_double() {
         let grid = Grid::new(cordon_core::Rational::new(1.into(), 20.into()), 1).unwrap();

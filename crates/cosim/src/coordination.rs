@@ -1,8 +1,8 @@
-//! The coordination unit: one drone's share of a protocol, by executing the spec.
+//! The coordination unit: one drone's part of a protocol, by executing the spec.
 //!
-//! Positions are exact inside. Where units [exchange](Exchange) exact numbers, N of them under
-//! a master that exchanges after every tick compute exactly the spec's global run (the
-//! projection theorem); the double for the controller is rounded once, at the output.
+//! Positions are exact inside. Where units [exchange](Exchange) exact numbers, N of them under a master
+//! that exchanges after every tick compute exactly the spec's global run (the projection theorem); the
+//! double for the controller is rounded once, at the output.
 
 mod machine;
 pub(crate) mod own;
@@ -28,10 +28,10 @@ pub enum Exchange {
     /// As exact rationals: the run is the spec's run.
     #[default]
     Exact,
-    /// As doubles, each read as the exact number that it is.
+    /// As doubles, each taken as the exact number that it represents.
     Double,
-    /// As doubles that are read from decimal text with six significant digits (C's `%g`), as
-    /// in the recorded runs; outputs are double(numerator)/double(denominator).
+    /// As doubles parsed from decimal text with six significant digits (C's `%g`), as in the recorded
+    /// runs; outputs are double(numerator)/double(denominator).
     SixDigits,
 }
 
@@ -44,8 +44,8 @@ impl Exchange {
         }
     }
 
-    /// A parameter's value as units with this exchange have it: exact where positions are, else a
-    /// double that stands for a [simple fraction](Quotient::simplest_of).
+    /// A parameter's value in units with this exchange: exact where positions are, otherwise a double
+    /// that stands for a [simple fraction](Quotient::simplest_of).
     pub fn parameter(self, x: &Rational) -> Value {
         match self {
             Self::Exact => Value::Exact(Quotient::from(x)),
@@ -53,8 +53,7 @@ impl Exchange {
         }
     }
 
-    /// A received position as an exact number; `None` where it is no finite number or another
-    /// type.
+    /// A received position as an exact number; `None` where it is not finite or of another type.
     fn receive(self, value: &Value) -> Option<Quotient> {
         match (self, value) {
             (Self::Exact, Value::Exact(x)) => Some(x.clone()),
@@ -67,7 +66,7 @@ impl Exchange {
         }
     }
 
-    /// A number as it travels to others.
+    /// A number as it is sent to other drones.
     fn send(self, x: &Quotient) -> Value {
         match self {
             Self::Exact => Value::Exact(x.clone()),
@@ -75,7 +74,7 @@ impl Exchange {
         }
     }
 
-    /// The double of a position.
+    /// The position as a double.
     fn round(self, x: &Quotient) -> f64 {
         match self {
             Self::Exact | Self::Double => x.to_f64(),
@@ -84,13 +83,13 @@ impl Exchange {
     }
 }
 
-/// What a drone does where a message was lost.
+/// What a drone does when a message was lost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum OnLoss {
-    /// It goes on with the position last received.
+    /// It keeps using the position last received.
     #[default]
     HoldLast,
-    /// It skips the update, if one falls into this step.
+    /// It skips the update, if one is due in this step.
     Skip,
 }
 
@@ -108,7 +107,7 @@ pub enum Law {
         /// Right end of the segment.
         max: Rational,
     },
-    /// Equation 6. Inputs `heard_j`, one a neighbour.
+    /// Equation 6. Inputs `heard_j`, one per neighbour.
     Consensus {
         /// Identifiers of the neighbours.
         neighbours: Vec<usize>,
@@ -117,15 +116,15 @@ pub enum Law {
     Formation {
         /// Identifiers of the neighbours.
         neighbours: Vec<usize>,
-        /// Sum of the wanted displacements from the neighbours, in m.
+        /// Sum of the desired displacements from the neighbours, in m.
         displacement: Rational,
     },
-    /// A protocol file's rule for this drone. Inputs `heard_j` and, of other variables than the
+    /// A protocol file's rule for this drone. Inputs `heard_j` and, for variables other than the
     /// position, `heard_j_v`.
     Own(Box<OwnLaw>),
 }
 
-/// Everything that a coordination unit is told before the run.
+/// The settings of a coordination unit, fixed before the run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Settings {
     /// The protocol, and the drone's place in it.
@@ -134,13 +133,13 @@ pub struct Settings {
     pub weight: Rational,
     /// Desired position at the start, in m.
     pub start: Rational,
-    /// Ticks (communication steps) from update to update, at least 1.
+    /// Ticks (communication steps) from one update to the next, at least 1.
     pub period: u32,
-    /// Which tick the first update falls in.
+    /// The tick of the first update.
     pub phase: Phase,
     /// How positions travel to other drones: exactly, or as doubles.
     pub exchange: Exchange,
-    /// What happens where a message was lost.
+    /// What the drone does when a message was lost.
     pub on_loss: OnLoss,
 }
 
@@ -154,7 +153,8 @@ pub struct Coordination {
     /// The neighbours' positions as last received.
     heard: Vec<Value>,
     machine: Machine,
-    /// The drone's own position: exact, and as the doubles of the outputs, across the line too.
+    /// The drone's own position: exact, and as the doubles of the outputs, including the one across the
+    /// line.
     own: Quotient,
     x_d: f64,
     y_d: f64,
@@ -185,7 +185,7 @@ impl Coordination {
         unit
     }
 
-    /// The doubles of the present position.
+    /// Rounds the current position to the doubles of the outputs.
     fn round(&mut self) {
         let exchange = self.settings.exchange;
         self.x_d = exchange.round(&self.own);
@@ -193,12 +193,12 @@ impl Coordination {
         self.y_d = across.map_or(0.0, |y| exchange.round(y));
     }
 
-    /// The settings, as parameters have changed them.
+    /// The settings, including changes made through parameters.
     pub fn settings(&self) -> &Settings {
         &self.settings
     }
 
-    /// Where a variable is in the table.
+    /// The index of a variable in the table.
     pub fn place(&self, slot: Slot) -> Option<usize> {
         self.slots.iter().position(|s| *s == slot)
     }

@@ -1,4 +1,4 @@
-//! A swarm at the user's level, turned into 3 N units and their connections.
+//! A swarm as the user describes it, turned into 3 N units and their connections.
 
 mod loader;
 mod units;
@@ -25,17 +25,17 @@ pub(super) use self::wired::Body;
 pub struct Cosimulation {
     /// The protocol, its parameters and the desired start.
     pub scenario: Scenario,
-    /// When the units meet.
+    /// The times at which units exchange values.
     pub grid: Grid,
-    /// Where the drones are at the start, in m.
+    /// Positions of the drones at the start, in m.
     pub start: Vec<Rational>,
-    /// Where they are across the line, for planar protocols.
+    /// Positions across the line, for planar protocols.
     pub across: Option<Vec<Rational>>,
     /// Gain lambda_P in 1/s.
     pub lambda_p: Rational,
     /// Gain lambda_A in 1/s.
     pub lambda_a: Rational,
-    /// Wanted height in m.
+    /// Desired height in m.
     pub z_d: Rational,
     /// Integrator of the plants.
     pub integrator: Integrator,
@@ -43,26 +43,26 @@ pub struct Cosimulation {
     pub algorithm: Algorithm,
     /// How positions travel between drones.
     pub exchange: Exchange,
-    /// What a drone does where a message was lost.
+    /// What a drone does when a message was lost.
     pub on_loss: OnLoss,
-    /// The order in which drones update, each with the new positions of those before it; `None`
-    /// where all update at once, as the protocol has it.
+    /// The order in which drones update, each using the new positions of those before it; `None` where
+    /// all update at once, as in the protocol.
     pub order: Option<Vec<usize>>,
     /// Lost and late messages, and drones that drop out, in the order of the scenario.
     pub faults: Vec<Fault>,
-    /// FMUs in the place of units.
+    /// FMUs that replace units.
     pub units: Vec<Substitute>,
     /// What loads the FMUs when the units are wired.
     pub load: Loader,
-    /// Seed of everything random.
+    /// Seed of all random choices.
     pub seed: u64,
-    /// Which variables are recorded beside the positions: patterns over `unit.variable`.
+    /// The variables that are recorded besides the positions: patterns over `unit.variable`.
     pub recorded_variables: Vec<String>,
-    /// The arithmetic of the recorded runs, to the last bit.
+    /// Whether to use the arithmetic of the recorded runs, to the last bit.
     pub recorded: bool,
 }
 
-/// Defaults of the paper's runs: seconds a tick as a fraction, seconds of a run, gains.
+/// Defaults of the paper's runs: communication step in s as a fraction, length of a run in s, gains.
 const TAU: (i32, i32) = (1, 20);
 const DURATION: i32 = 25;
 const LAMBDA_P: (i32, i32) = (2, 5);
@@ -74,16 +74,16 @@ fn fraction((num, den): (i32, i32)) -> Rational {
 }
 
 impl Cosimulation {
-    /// Checks what a scenario says about flying; what it does not say is as in the paper's
-    /// runs (tau 0.05 s, 25 s, lambda_P 0.4, lambda_A 4, Euler, Jacobi).
+    /// Checks the flight settings of a scenario; those left out default to the paper's runs (tau 0.05
+    /// s, 25 s, lambda_P 0.4, lambda_A 4, Euler, Jacobi).
     ///
     /// # Errors
-    /// A contradictory or senseless field, by name.
+    /// A contradictory or meaningless field, by name.
     pub fn new(scenario: Scenario, flight: Flight) -> Result<Self> {
         let tau = scenario.tau.clone().unwrap_or_else(|| fraction(TAU));
         let grid = match &flight.duration {
             Some(duration) => Grid::lasting(duration, tau)?,
-            // As many whole steps as there are.
+            // As many whole steps as fit.
             None => {
                 let steps = (Rational::from_integer(DURATION.into()) / &tau).to_integer();
                 Grid::new(tau, u64::try_from(steps).unwrap_or(u64::MAX))?
@@ -157,7 +157,7 @@ impl Cosimulation {
         Ok(swarm)
     }
 
-    /// Whether faults and FMUs are about drones that are there, and about links between them.
+    /// Whether faults and FMUs refer to drones that exist, and to links between them.
     fn check_places(&self) -> Result<()> {
         let count = self.count();
         faults::Plan::new(&self.faults, self.seed, count, &self.grid)?
@@ -175,7 +175,7 @@ impl Cosimulation {
     /// The same swarm in the arithmetic of the authors' recorded runs.
     ///
     /// # Errors
-    /// The recorded runs had another integrator, master or exchange than was asked for.
+    /// Another integrator, master or exchange than that of the recorded runs was asked for.
     pub fn as_recorded(mut self) -> Result<Self> {
         let expected = [
             ("integrator", self.integrator.name(), Integrator::Euler.name()),
@@ -198,12 +198,12 @@ impl Cosimulation {
         self.scenario.count()
     }
 
-    /// The axes along which the protocol tells drones where to be.
+    /// The axes along which the protocol commands the drones.
     pub fn axes(&self) -> &'static [Axis] {
         if self.across.is_some() { &[Axis::X, Axis::Y] } else { &[Axis::X] }
     }
 
-    /// Where a drone is at the start along an axis, in m.
+    /// The position of a drone at the start along an axis, in m.
     pub fn start_of(&self, drone: usize, axis: Axis) -> Rational {
         let places = match axis {
             Axis::X => Some(&self.start),
@@ -212,7 +212,7 @@ impl Cosimulation {
         places.and_then(|places| places.get(drone)).cloned().unwrap_or_default()
     }
 
-    /// What the run is made with.
+    /// The set-up of the run, for its record.
     pub fn setup(&self) -> Setup {
         let segment = match &self.scenario.protocol {
             Protocol::Coverage { min, max } => Some((min.clone(), max.clone())),
@@ -236,7 +236,7 @@ impl Cosimulation {
     }
 }
 
-/// Starts that a scenario says: a position a drone, or x and y.
+/// The starts given in a scenario: one position per drone, or x and y.
 fn placed(
     given: Vec<Rational>,
     count: usize,
@@ -256,7 +256,7 @@ fn placed(
     Ok((of(0), Some(of(1))))
 }
 
-/// The order of updates that a scenario says; `None` for all at once.
+/// The order of updates given in a scenario; `None` for all at once.
 fn ordered(text: &str, count: usize) -> Result<Option<Vec<usize>>> {
     let fail = || {
         Error::input(format!(
@@ -285,7 +285,7 @@ fn flown(substitute: &Substitute) -> Flown {
     Flown { unit: seat.name(), fmu: file.to_string_lossy().into_owned() }
 }
 
-/// A field with one of a few names; the first of them by default.
+/// A field with one of a few names; the first one is the default.
 fn choice<T: Default>(
     field: &str,
     name: Option<String>,

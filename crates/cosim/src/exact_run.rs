@@ -1,4 +1,4 @@
-//! The co-simulation in exact arithmetic, and how far the doubles are off.
+//! The co-simulation in exact arithmetic, and the error of the doubles.
 
 use std::fmt;
 
@@ -25,9 +25,9 @@ pub struct Difference {
 pub struct Largest {
     /// Its size in m.
     pub size: f64,
-    /// The drone whose doubles are farthest off, from 0.
+    /// The drone with that difference, from 0.
     pub drone: usize,
-    /// The grid point at which they are, from 0.
+    /// Its grid point, from 0.
     pub step: u64,
 }
 
@@ -51,8 +51,8 @@ impl fmt::Display for Difference {
     }
 }
 
-/// The master of the swarm's co-simulation along an axis in exact arithmetic: with the wanted yaw of 0
-/// the loops along x and y are one system.
+/// The master of the swarm's co-simulation along an axis in exact arithmetic: with a desired yaw of 0
+/// the loops along x and y are the same system.
 ///
 /// # Errors
 /// The swarm cannot be wired.
@@ -75,10 +75,10 @@ pub fn master(swarm: &Cosimulation, axis: Axis) -> Result<Master> {
     Master::new(wiring, swarm.grid.clone(), swarm.algorithm)
 }
 
-/// Runs the swarm exactly and compares with the run that was recorded.
+/// Runs the swarm exactly and compares the result with the recorded run.
 ///
 /// # Errors
-/// The swarm cannot be wired, or the record is another one's.
+/// The swarm cannot be wired, or the record is that of another swarm.
 pub fn difference(swarm: &Cosimulation, record: &Record) -> Result<Difference> {
     let mut found = Difference { desired: Largest::default(), actual: Largest::default() };
     for (axis, track) in record.tracks() {

@@ -1,4 +1,4 @@
-//! Controller and plant along x on exact rationals.
+//! Controller and plant along x in exact rationals.
 //!
 //! With psi_d = 0 gravity g and the constants C cancel in the closed loop (PROTOCOL section
 //! 3): with a = g theta and j = g theta' the controller commands the snap
@@ -28,14 +28,14 @@ const CHAIN: [(&str, Dimension); 4] = [
 const JERK: Dimension = Dimension("m/s3");
 const SNAP: Dimension = Dimension("m/s4");
 
-/// Places of the controller's variables: the wanted position, the chain, the command.
+/// Indices of the controller's variables: the desired position, the chain, the command.
 pub(super) mod control_var {
     pub(crate) const WANTED: usize = 0;
     pub(crate) const CHAIN: usize = 1;
     pub(crate) const SNAP: usize = 5;
 }
 
-/// Places of the plant's variables: the command, the chain.
+/// Indices of the plant's variables: the command, the chain.
 pub(super) mod plant_var {
     pub(crate) const SNAP: usize = 0;
     pub(crate) const X: usize = 1;
@@ -57,7 +57,7 @@ fn expect_exact(unit: &dyn Unit, place: usize, value: &Value) -> Result<Quotient
 #[derive(Clone, Debug)]
 pub struct ExactControl {
     name: String,
-    /// Wanted position, then the plant's chain.
+    /// The desired position, then the plant's chain.
     inputs: [Quotient; 5],
     snap: Quotient,
     /// 2 lP, lP^2, 2 lA, lA^2.
@@ -188,7 +188,7 @@ impl Unit for ExactPlant {
         let mut power = Rational::from_integer(1.into());
         for (weight, k) in self.weights.iter_mut().zip(1..) {
             power = power * grid.tau() / Rational::from_integer(k.into());
-            // Euler's rule is the series cut after its first term.
+            // Euler's rule keeps only the first term of the series.
             let kept = k == 1 || self.integrator == Integrator::Exact;
             *weight = if kept { Quotient::from(&power) } else { zero() };
         }
@@ -196,7 +196,7 @@ impl Unit for ExactPlant {
     }
 
     fn do_step(&mut self, _: &Grid, _: u64) -> Result<(), UnitError> {
-        // x + v t + a t^2/2 + .., and the same for every later member of the chain.
+        // x + v t + a t^2/2 + .., and likewise for every later member of the chain.
         let terms = match self.integrator {
             Integrator::Euler => 1,
             Integrator::Exact => self.weights.len(),

@@ -1,4 +1,4 @@
-//! Links that lose or delay messages. Everything random comes from the scenario's seed.
+//! Links that lose or delay messages. All random choices derive from the scenario's seed.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -14,7 +14,7 @@ use cordon_core::random::SplitMix;
 use cordon_core::{Error, Result};
 use cordon_run::scenario::{Fault, FaultKind};
 
-/// One thing after the other that happens to the messages of a connection.
+/// The faults of a connection, applied to each message one after the other.
 pub(super) struct Chain(Vec<Box<dyn Link>>);
 
 impl Link for Chain {
@@ -23,7 +23,7 @@ impl Link for Chain {
     }
 }
 
-/// Loses each message with a probability, independently of all others.
+/// Loses each message with a given probability, independently of all others.
 struct Loss {
     /// A message is lost where its random 64 bits are below this.
     below: u128,
@@ -40,12 +40,12 @@ impl Link for Loss {
     }
 }
 
-/// Delivers each message some steps after it was sent; before the first one arrives, the
-/// value that was sent first.
+/// Delivers each message some steps after it was sent; before the first one arrives, the value that was
+/// sent first.
 struct Delay {
     by: u64,
     steps: Range<u64>,
-    /// Sent and not superseded: when, and what.
+    /// Messages not yet superseded: when each was sent, and its value.
     under_way: VecDeque<(u64, Value)>,
 }
 
@@ -53,7 +53,7 @@ impl Link for Delay {
     fn carry(&mut self, step: u64, value: &Value) -> Option<Value> {
         self.under_way.push_back((step, value.clone()));
         if !self.steps.contains(&step) {
-            // What is under way is kept: the delay may begin later.
+            // Messages under way are kept: the delay may begin later.
             while self.under_way.front().is_some_and(|(sent, _)| sent + self.by < step) {
                 self.under_way.pop_front();
             }
@@ -66,8 +66,8 @@ impl Link for Delay {
     }
 }
 
-/// A bijection of 64-bit numbers that leaves no pattern. Drawn by place and not in sequence: a
-/// message's fate does not depend on how many others there are.
+/// A bijection of 64-bit numbers that mixes all bits. It is evaluated at the message's index instead of
+/// in sequence, so that a message's fate does not depend on how many others there are.
 fn mixed(x: u64) -> u64 {
     SplitMix::new(x).bits()
 }
@@ -82,7 +82,7 @@ struct OnLinks {
 
 /// The faults of a scenario on the grid of its run.
 pub(super) struct Plan {
-    /// What happens to messages, in the order of the scenario.
+    /// The faults of messages, in the order of the scenario.
     on_links: Vec<OnLinks>,
     /// Which drones are out of order, and when.
     pub(super) drop_outs: Vec<(usize, Range<u64>)>,
@@ -127,10 +127,10 @@ impl Plan {
         Ok(plan)
     }
 
-    /// Whether some fault on a link is about two drones that do not talk: a slip of the user.
+    /// Whether some fault on a link names two drones that are not linked: a mistake in the scenario.
     ///
     /// # Errors
-    /// There is one.
+    /// There is such a fault.
     pub(super) fn check_links(&self, linked: impl Fn(usize, usize) -> bool) -> Result<()> {
         for OnLinks { number, fault, .. } in &self.on_links {
             let (FaultKind::Loss { link, .. } | FaultKind::Delay { link, .. }) = &fault.kind else {
@@ -145,7 +145,7 @@ impl Plan {
         Ok(())
     }
 
-    /// What happens to messages from drone `from` to drone `to`, if anything does.
+    /// The faults of messages from drone `from` to drone `to`, if any.
     pub(super) fn link(&self, from: usize, to: usize) -> Option<Chain> {
         let mut chain: Vec<Box<dyn Link>> = Vec::new();
         for (place, OnLinks { fault, steps, .. }) in self.on_links.iter().enumerate() {
@@ -173,7 +173,7 @@ impl Plan {
     }
 }
 
-/// The steps in which a fault is there.
+/// The steps in which a fault is active.
 fn window(fault: &Fault, grid: &Grid) -> std::result::Result<Range<u64>, String> {
     let step = |name: &str, time: &Option<Rational>, default: u64| match time {
         None => Ok(default),

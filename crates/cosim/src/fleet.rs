@@ -1,9 +1,9 @@
-//! Swarms of this program's units alone, in one loop over plain arrays.
+//! Swarms of built-in units only, in one loop over plain arrays.
 //!
-//! Under a Jacobi master every unit reads what the others were at the grid point and steps. Where
-//! nothing disturbs that and positions are exchanged exactly, the desired positions are the
-//! protocol's global run (the projection theorem), and controllers and plants are two functions.
-//! Numbers and their order are those of the units: a run is the same, byte for byte.
+//! Under a Jacobi master every unit reads the outputs of the previous grid point and steps. Where there
+//! are no faults and positions are exchanged exactly, the desired positions are the protocol's global
+//! run (the projection theorem), and controllers and plants are two functions. Operations and their
+//! order are those of the units: a run is the same, byte for byte.
 
 use super::control::{Gains, Law};
 use super::coordination::{Exchange, own};
@@ -18,15 +18,15 @@ use cordon_run::trace::{self, Counted, Rows, Selection};
 
 /// All drones at a grid point.
 pub(super) struct Fleet<'s> {
-    /// Along each axis where they are told to be.
+    /// The desired positions along each axis.
     pub desired: Vec<Vec<f64>>,
-    /// Of each its motion: position, velocity, attitude, turning.
+    /// The motion of each drone: position, velocity, attitude, angular rates.
     pub states: Vec<[f64; STATE]>,
     rotors: Vec<[f64; 4]>,
     scenario: &'s Scenario,
-    /// The global run from the next protocol step on.
+    /// The global run from the next protocol step onwards.
     rows: Rows<'s>,
-    /// Along each axis which of an agent's variables is the position, of so many.
+    /// For each axis, which of an agent's variables is the position, and how many there are.
     places: Vec<usize>,
     variables: usize,
     updates: u64,
@@ -38,8 +38,8 @@ pub(super) struct Fleet<'s> {
 }
 
 impl<'s> Fleet<'s> {
-    /// The drones at their start; `None` where a swarm has FMUs or faults, another master, order or
-    /// exchange, or variables that only units know are recorded.
+    /// The drones at their start; `None` where the swarm has FMUs, faults, or another master, order or
+    /// exchange, or where variables inside units are recorded.
     pub(super) fn of(swarm: &'s Cosimulation) -> Option<Self> {
         let Cosimulation { scenario, grid, .. } = swarm;
         let plain = swarm.units.is_empty()
@@ -53,7 +53,7 @@ impl<'s> Fleet<'s> {
         }
         let last = scenario.steps_until(grid.steps());
         let selection = Selection { unit: Counted::Steps, from: 0, to: last, every: 1 };
-        // What is too long for it is for the units to do, or to refuse.
+        // Runs too long for this are left to the units, which run or refuse them.
         let rows = trace::select(scenario, selection).ok()?;
         let (mut places, mut variables) = (vec![0], 1);
         if let Some(file) = scenario.own() {
@@ -91,7 +91,8 @@ impl<'s> Fleet<'s> {
         Some(fleet)
     }
 
-    /// The desired positions after the next protocol step; `None` where one is beyond doubles.
+    /// The desired positions after the next protocol step; `None` where one is out of the range of
+    /// doubles.
     fn update(&mut self) -> Option<()> {
         let positions = self.rows.next()?.positions.doubles();
         if !positions.iter().all(|x| x.is_finite()) {
@@ -104,8 +105,8 @@ impl<'s> Fleet<'s> {
         Some(())
     }
 
-    /// On to grid point `tick`, the one after the present one. `None` where a number is not finite, of
-    /// which the units can say whose it is.
+    /// Advances to grid point `tick`, the next one. `None` where a number is not finite; the units can
+    /// then name the drone.
     pub(super) fn advance_to(&mut self, tick: u64) -> Option<()> {
         let nothing = Vec::new();
         let (x, y) = (self.desired.first()?, self.desired.get(1).unwrap_or(&nothing));
@@ -144,7 +145,7 @@ mod tests {
         format!("protocol = '{own}{name}'\ntau = 0.05\n")
     }
 
-    /// Every number, event and word of a run is that of the units under their master.
+    /// Numbers, events and texts of a run are those of the units under their master.
     #[test]
     fn the_loop_flies_what_the_units_fly() {
         let five = "start = [0, 10, 20, 30, 100]\nweight = 0.2\ntau = 0.05\n";
@@ -188,7 +189,7 @@ mod tests {
         assert_eq!(compared, 20);
     }
 
-    /// What leaves the doubles is named as the units name it.
+    /// Numbers that are not finite are reported as by the units.
     #[test]
     fn what_is_not_finite_is_left_to_the_units() {
         let text = "start = [0, 10, 100]\nweight = 0.2\ntau = 0.05\n";

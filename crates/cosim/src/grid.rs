@@ -1,20 +1,20 @@
-//! The communication grid: at which times the units meet.
+//! The communication grid: the times at which units exchange values.
 
 use num_traits::{Signed, ToPrimitive};
 
 use cordon_core::exact::{self, Rational};
 use cordon_core::{Error, Result};
 
-/// Longest run, in communication steps: about sixteen years of 0.05 s steps.
+/// Longest run, in communication steps: about sixteen years in steps of 0.05 s.
 const MAX_STEPS: u64 = 10_000_000_000;
 
-/// Equidistant times `0, tau, 2 tau, ..` in seconds, as exact rationals: no rounding gathers
-/// however long the run.
+/// Equidistant times `0, tau, 2 tau, ..` in seconds, as exact rationals: rounding errors do not
+/// accumulate, however long the run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Grid {
     tau: Rational,
     steps: u64,
-    /// The doubles nearest to tau, as units with doubles inside use it.
+    /// The double nearest to tau, for units that compute in doubles.
     tau_f64: Bits,
 }
 
@@ -88,13 +88,13 @@ impl Grid {
         exact::to_f64(&self.time(step))
     }
 
-    /// How many communication steps `seconds` last, where that is a whole number.
+    /// The number of communication steps in `seconds`, where that is an integer.
     pub fn steps_in(&self, seconds: &Rational) -> Option<u64> {
         multiple(seconds, &self.tau)
     }
 }
 
-/// `long/short`, where that is a whole number that fits.
+/// `long/short`, where that is an integer that fits.
 fn multiple(long: &Rational, short: &Rational) -> Option<u64> {
     let quotient = long / short;
     if quotient.is_integer() { quotient.to_integer().to_u64() } else { None }

@@ -1,4 +1,4 @@
-//! The co-simulation engine: drones with a body (PROTOCOL section 3).
+//! The co-simulation engine: the protocol flown by drones with dynamics (PROTOCOL section 3).
 //!
 //! Every drone is three [units](unit::Unit): [plant](plant::Plant), [control](control::Control)
 //! and [coordination](coordination::Coordination). The coordination unit executes the spec.

@@ -31,70 +31,69 @@ impl Algorithm {
         }
     }
 
-    /// The algorithm of that name.
+    /// The algorithm with this name.
     pub fn named(name: &str) -> Option<Self> {
         [Self::Jacobi, Self::GaussSeidel].into_iter().find(|a| a.name() == name)
     }
 }
 
-/// From how many units on the work is shared among threads.
+/// Number of units from which the work is spread over threads.
 const PARALLEL_FROM: usize = 512;
 
-/// Units and connections, ready to run. Fixed step; time is an exact rational.
+/// Units and connections, ready to run. The step is fixed; time is an exact rational.
 pub struct Master {
     grid: Grid,
     cells: Vec<Cell>,
-    /// Outputs of every unit that are connected, as they were at the current grid point.
+    /// Connected outputs of every unit, at the current grid point.
     sent: Vec<Vec<Value>>,
-    /// Doubles that travel all at once, undisturbed, as they were at the current grid point: for
-    /// each unit those in its lane.
+    /// Sampled doubles without faults, at the current grid point, grouped by unit (see [`Lane`]).
     doubles: Vec<f64>,
-    /// How many of them a unit has room for.
+    /// How many of them are reserved per unit.
     room: usize,
     /// Whether a unit's outputs may have changed in the last step.
     fresh: Vec<bool>,
-    /// Whether some unit is out of order at some time.
+    /// Whether some unit has an outage at some time.
     outages: bool,
     schedule: Schedule,
 }
 
-/// A unit with what comes in and goes out.
+/// A unit with its incoming and outgoing connections.
 struct Cell {
     unit: Box<dyn Unit>,
-    /// Places of the connected outputs.
+    /// Indices of the connected outputs.
     outputs: Vec<usize>,
     inputs: Vec<Input>,
     lane: Lane,
     outages: Vec<Range<u64>>,
 }
 
-/// The doubles that a unit sends and receives without a [`Value`] around them.
+/// The doubles that a unit sends and receives directly, without a [`Value`].
 #[derive(Default)]
 struct Lane {
-    /// Places of the outputs.
+    /// Indices of the outputs.
     outputs: Vec<usize>,
-    /// Places of the inputs.
+    /// Indices of the inputs.
     inputs: Vec<usize>,
-    /// Of each input its place among the doubles of all units.
+    /// For each input the index of its source among the doubles of all units.
     from: Vec<usize>,
-    /// The inputs' values on their way.
+    /// Buffer for the values of the inputs.
     received: Vec<f64>,
 }
 
 struct Input {
     variable: usize,
     from: Port,
-    /// Place among the source's connected outputs.
+    /// Index among the source's connected outputs.
     slot: usize,
     timing: Timing,
     link: Option<Box<dyn Link>>,
 }
 
-/// The order of a step.
+/// The order of events in a step.
 enum Schedule {
     /// All units at once.
     AtOnce,
-    /// First the sampled values, each a (unit, input); then the units one by one.
+    /// First the sampled values, as (unit, input); then the units one by one.
     InOrder { sampled: Vec<(usize, usize)>, units: Vec<usize> },
 }
 
@@ -128,8 +127,8 @@ impl Master {
         Ok(master)
     }
 
-    /// `in_order` has the sampled connections and the units in their order, unless all of it
-    /// happens at once.
+    /// `in_order` has the sampled connections and the units in their order; `None` where all units step
+    /// at once.
     fn assemble(
         wiring: Wiring,
         grid: Grid,
@@ -171,7 +170,7 @@ impl Master {
                 slot_of(&mut source.lane.outputs, c.from.variable);
             }
         }
-        // Every unit has as much room among the doubles as the one that needs most.
+        // Each unit reserves as many doubles as the largest needs.
         let room =
             cells.iter().map(|cell| cell.lane.outputs.len()).max().unwrap_or_default().max(1);
         let mut places = Vec::with_capacity(connections.len());
@@ -232,12 +231,12 @@ impl Master {
         Ok(())
     }
 
-    /// The grid of times at which the units meet.
+    /// The communication grid.
     pub fn grid(&self) -> &Grid {
         &self.grid
     }
 
-    /// The present value of a variable.
+    /// The current value of a variable.
     ///
     /// # Errors
     /// There is no such variable.
@@ -248,10 +247,10 @@ impl Master {
         }
     }
 
-    /// The present values of numbers of a unit, as doubles.
+    /// The current values of numeric variables of a unit, as doubles.
     ///
     /// # Errors
-    /// There is no such variable, one is no number, or not finite at grid point `step`.
+    /// There is no such variable, or one is not a number or not finite at grid point `step`.
     pub fn numbers(
         &self,
         unit: usize,
@@ -272,7 +271,7 @@ impl Master {
         ))
     }
 
-    /// What the user should know about the units, each note with the unit's name.
+    /// Notes of the units for the user, each with the unit's name.
     pub fn notes(&self) -> Vec<String> {
         let of = |cell: &Cell| {
             let name = cell.unit.name().to_owned();
@@ -282,8 +281,8 @@ impl Master {
         self.cells.iter().flat_map(of).collect()
     }
 
-    /// Runs along the whole grid. `observe` is called at every grid point, the first and the
-    /// last included.
+    /// Runs along the whole grid. `observe` is called at every grid point, including the first and the
+    /// last.
     ///
     /// # Errors
     /// A unit fails, sends a number that is not finite, or `observe` fails.
@@ -299,7 +298,7 @@ impl Master {
         Ok(())
     }
 
-    /// Carries the sampled values, unless all of it happens at once in [`Self::advance`].
+    /// Carries the sampled values, unless [`Self::advance`] does everything at once.
     fn sample(&mut self, step: u64) -> Result<()> {
         let Schedule::InOrder { sampled, .. } = &self.schedule else {
             return Ok(());
@@ -334,9 +333,9 @@ impl Master {
         }
     }
 
-    /// Jacobi without feedthrough: every unit reads the values of the current grid point and
-    /// steps; then all of them leave those of the next. No unit sees another's work, so that
-    /// the result does not depend on the number of threads.
+    /// Jacobi without feedthrough: every unit reads the values of the current grid point and steps;
+    /// then all publish those of the next. No unit sees another's progress, so the result does not
+    /// depend on the number of threads.
     fn advance_at_once(&mut self, step: u64) -> Result<()> {
         let (grid, sent, fresh, doubles) = (&self.grid, &self.sent, &self.fresh, &self.doubles);
         let down: Vec<bool> = match self.outages {
@@ -360,7 +359,7 @@ impl Master {
                 first_error(self.cells.par_iter_mut().with_min_len(64).map(end))?;
             }
         }
-        // Where units drop out, an input may not have what its source last sent.
+        // With outages, an input may not have what its source last sent.
         let always = self.outages;
         let send = |cell: &mut Cell, sent: &mut [Value], fresh: &mut bool, lane: &mut [f64]| {
             *fresh = always || cell.unit.moved();
@@ -388,7 +387,7 @@ impl Master {
     }
 }
 
-/// The first error in the units' order.
+/// The first error, in the order of the units.
 fn first_error(
     results: impl IndexedParallelIterator<Item = Result<(), UnitError>>,
 ) -> Result<(), UnitError> {
@@ -408,7 +407,7 @@ impl Cell {
         if self.is_down(step) { Ok(()) } else { self.unit.do_step(grid, step) }
     }
 
-    /// Sets the inputs from what the units have sent.
+    /// Sets the inputs to the values that were sent.
     fn receive(
         &mut self,
         sent: &[Vec<Value>],
@@ -420,7 +419,7 @@ impl Cell {
             return Ok(());
         }
         for input in &mut self.inputs {
-            // It has the value already.
+            // The input has this value already.
             if input.link.is_none() && fresh.get(input.from.unit) == Some(&false) {
                 continue;
             }
@@ -433,7 +432,7 @@ impl Cell {
         Ok(())
     }
 
-    /// Sets the inputs in the lane from the doubles that all units have sent.
+    /// Sets the inputs of the lane from the doubles sent by all units.
     fn receive_doubles(&mut self, doubles: &[f64]) -> Result<(), UnitError> {
         let Lane { inputs, from, received, .. } = &mut self.lane;
         for (&place, x) in from.iter().zip(received.iter_mut()) {
@@ -456,7 +455,7 @@ impl Cell {
         self.finite_numbers(&self.lane.outputs, doubles, grid, step)
     }
 
-    /// The present values of numbers, which are refused where they are not finite.
+    /// The current values of numeric variables, refused where they are not finite.
     fn finite_numbers(
         &self,
         variables: &[usize],
@@ -500,7 +499,7 @@ fn carry_live(
     }
 }
 
-/// Gives an input a value, unless it is lost on the way.
+/// Sets an input, unless the value is lost on the way.
 fn deliver(
     unit: &mut dyn Unit,
     input: &mut Input,
@@ -519,7 +518,7 @@ fn deliver(
     Ok(())
 }
 
-/// An output's value, which is refused where it is no finite number.
+/// An output's value, refused where it is a number that is not finite.
 fn finite(unit: &dyn Unit, variable: usize, grid: &Grid, step: u64) -> Result<Value, UnitError> {
     let value = unit.get(variable)?;
     match value {

@@ -1,12 +1,11 @@
-//! In which order connections are read and units are stepped.
+//! The order in which connections are read and units are stepped.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::wiring::{Connection, Timing, Wiring};
 use cordon_core::Result;
 
-/// The connections whose timing is wanted, each after those on which its value depends by
-/// direct feedthrough.
+/// The connections with this timing, each after those that its value depends on by direct feedthrough.
 ///
 /// # Errors
 /// An algebraic loop.
@@ -43,7 +42,7 @@ pub(super) fn connections(
     })
 }
 
-/// The units, each after those from which it reads immediate values.
+/// The units, each after those whose values it reads immediately.
 ///
 /// # Errors
 /// An algebraic loop.
@@ -85,7 +84,7 @@ fn loop_error(wiring: &Wiring, connections: &[usize], names: &[String]) -> cordo
     }
 }
 
-/// Topological order, first come first served; or the members of a cycle, in order.
+/// Topological order, stable where possible; or the members of a cycle, in order.
 fn sorted(
     nodes: &[usize],
     before: impl Fn(usize) -> Vec<usize>,
@@ -98,7 +97,7 @@ fn sorted(
     let mut marks: BTreeMap<usize, Mark> = BTreeMap::new();
     let mut order = Vec::with_capacity(nodes.len());
     for &root in nodes {
-        // Depth first without recursion: a chain may be as long as there are nodes.
+        // Depth-first without recursion: a chain may be as long as there are nodes.
         let mut path: Vec<(usize, Vec<usize>)> = Vec::new();
         let mut next = Some(root);
         loop {

@@ -1,4 +1,4 @@
-//! Whether drones can fly a protocol file, and where they are at its start.
+//! Whether a protocol file can be flown, and the positions of the drones at its start.
 
 use crate::coordination::own::{POSITION, across_of, position_of};
 use cordon_core::system::System;
@@ -23,10 +23,10 @@ pub(crate) fn positions(own: &Own, start: &[Rational]) -> (Vec<Rational>, Option
     (of(position_of(&own.system)), across_of(&own.system).map(of))
 }
 
-/// Refuses protocols that no drone can fly.
+/// Refuses protocols that cannot be flown.
 ///
 /// # Errors
-/// No variable `x`; or `z`: drones keep their height.
+/// There is no variable `x`, or there is a `z`: drones hold their height.
 pub(crate) fn refuse_what_cannot_fly(own: &Own) -> Result<()> {
     let names = names(&own.system);
     let fail = |expected: &str| {
@@ -83,8 +83,8 @@ mod tests {
         }
     }
 
-    /// Units that hear each other compute the global run: with one variable, with several, with the
-    /// first update late; and coverage as a file flies as coverage does.
+    /// Units that hear each other compute the global run: with one variable, with several, with a late
+    /// first update; and coverage written as a file flies like the built-in coverage.
     #[test]
     fn units_fly_the_global_run() {
         let platoon = "start = [0, 0, 0.25, 0, -0.25, 0, 0.25, 0, 0, 0]\nperiod = 2";
@@ -109,7 +109,7 @@ mod tests {
         assert_eq!(flown(&own), flown(&built_in));
     }
 
-    /// Agents on a grid of 4 by 4, 10 m apart in x and 7 m in y, that tend to one place.
+    /// Agents on a grid of 4 by 4, 10 m apart in x and 7 m in y, that converge to one point.
     fn planar(integrator: &str, seconds: i32) -> Cosimulation {
         let start: Vec<String> =
             (0..16).flat_map(|i| [(i % 4 * 10).to_string(), (i / 4 * 7).to_string()]).collect();
@@ -137,7 +137,7 @@ mod tests {
         assert!(difference.actual.size < 1e-11, "{difference}");
     }
 
-    /// Centres that come as near as two arms: at that time and not before, with either integrator.
+    /// Events are found exactly when the centres come within two arms' length, with either integrator.
     #[test]
     fn collisions_are_found_in_the_plane() {
         for integrator in ["euler", "exact"] {

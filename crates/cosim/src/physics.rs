@@ -1,7 +1,7 @@
 //! The body of a quadcopter: the constants of PROTOCOL section 3.
 
-/// Physical parameters of a drone. Rotor values are deviations from hover, so that gravity
-/// appears only where a tilt turns lift into a horizontal force.
+/// Physical parameters of a drone. Rotor values are deviations from hover, so that gravity appears only
+/// where a tilt turns lift into a horizontal force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body {
     /// Gravity g in m/s2.
@@ -16,7 +16,7 @@ pub struct Body {
     pub arm: f64,
     /// Moments of inertia Ixx, Iyy, Izz in kg m2.
     pub inertia: [f64; 3],
-    /// Wanted yaw psi_d in rad.
+    /// Desired yaw psi_d in rad.
     pub yaw: f64,
 }
 
@@ -36,8 +36,7 @@ impl Default for Body {
 }
 
 impl Body {
-    /// sqrt(m g Kf): half the change of thrust for a rotor's deviation from hover, to first
-    /// order.
+    /// sqrt(m g Kf): half the change of thrust per deviation of a rotor from hover, to first order.
     pub fn hover(&self) -> f64 {
         (self.mass * self.gravity * self.thrust).sqrt()
     }
@@ -66,7 +65,7 @@ impl Body {
         }
     }
 
-    /// The parameters that have to be positive, with the names of their variables.
+    /// The parameters that must be positive, with the names of their variables.
     pub(super) fn positive(&self) -> [(&'static str, f64); 8] {
         let [ixx, iyy, izz] = self.inertia;
         [
@@ -82,7 +81,7 @@ impl Body {
     }
 }
 
-/// Rounded to single precision and back.
+/// `x` rounded to single precision and back.
 pub(super) fn single(x: f64) -> f64 {
     f64::from(x as f32)
 }

@@ -1,4 +1,4 @@
-//! The plant: a quadcopter, linear around hover (PROTOCOL section 3).
+//! The plant: a quadcopter, linearised around hover (PROTOCOL section 3).
 
 use std::sync::OnceLock;
 
@@ -10,13 +10,13 @@ use super::unit::{
     recalled_reals, wrong_kind,
 };
 
-/// How the plant advances by a communication step. Inputs stay as they are meanwhile.
+/// How the plant advances by a communication step, with its inputs held constant.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
     /// One explicit Euler step, as in the authors' recorded runs.
     #[default]
     Euler,
-    /// The solution itself (zero-order hold): a chain of integrators is a polynomial in time.
+    /// The exact solution (zero-order hold): for a chain of integrators a polynomial in time.
     Exact,
 }
 
@@ -29,14 +29,14 @@ impl Integrator {
         }
     }
 
-    /// The integrator of that name.
+    /// The integrator with this name.
     pub fn named(name: &str) -> Option<Self> {
         [Self::Euler, Self::Exact].into_iter().find(|i| i.name() == name)
     }
 }
 
-/// Places of the plant's variables. The state has the order position, velocity, attitude,
-/// turning, three components each.
+/// Indices of the plant's variables. The state has position, velocity, attitude and angular rates, in
+/// this order, three components each.
 pub mod var {
     /// Rotors 1 to 4 are at 0 to 3: deviations from hover in rad/s.
     pub const ROTORS: usize = 0;
@@ -50,9 +50,9 @@ pub mod var {
     pub const PHI: usize = 10;
     /// Pitch theta in rad.
     pub const THETA: usize = 11;
-    /// Speed of roll in rad/s; pitch and yaw follow.
+    /// Roll rate in rad/s; pitch and yaw follow.
     pub const VPHI: usize = 13;
-    /// Speed of pitch in rad/s.
+    /// Pitch rate in rad/s.
     pub const VTHETA: usize = 14;
     /// Start along x in m; y and z follow.
     pub const X0: usize = 16;
@@ -72,7 +72,7 @@ pub(super) const STATE: usize = 12;
 pub struct Plant {
     name: String,
     rotors: [f64; 4],
-    /// Position, velocity, attitude, turning.
+    /// Position, velocity, attitude, angular rates.
     state: [f64; STATE],
     start: [f64; 3],
     integrator: Integrator,
@@ -80,7 +80,7 @@ pub struct Plant {
     dynamics: Dynamics,
 }
 
-/// A body, and what follows from it, computed once.
+/// A body and its derived coefficients, computed once.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dynamics {
     body: Body,
@@ -134,7 +134,7 @@ impl Dynamics {
         }
     }
 
-    /// The state after `t` seconds, in which the rotors stay as they are.
+    /// The state after `t` seconds with constant rotor values.
     pub(super) fn after(
         &self,
         t: f64,
@@ -148,8 +148,7 @@ impl Dynamics {
         }
     }
 
-    /// phi'', theta'', psi'' and z'' from the rotors, in the order of operations of the
-    /// recorded runs.
+    /// phi'', theta'', psi'' and z'' from the rotors, in the order of operations of the recorded runs.
     fn accelerations(&self, [w1, w2, w3, w4]: [f64; 4]) -> ([f64; 3], f64) {
         let Self { body, hover, lift, .. } = self;
         let Body { arm, torque, inertia: [ixx, iyy, izz], .. } = body;
@@ -159,7 +158,7 @@ impl Dynamics {
         ([roll, pitch, yaw], lift * (w1 + w2 + w3 + w4))
     }
 
-    /// x'' and y'' that an attitude gives.
+    /// x'' and y'' for an attitude.
     fn horizontal(&self, phi: f64, theta: f64) -> [f64; 2] {
         let Self { sin_yaw, cos_yaw, .. } = self;
         let g = self.body.gravity;

@@ -1,4 +1,4 @@
-//! Exact fractions that are not brought to lowest terms.
+//! Exact fractions that are not reduced to lowest terms.
 
 use std::cell::RefCell;
 use std::fmt;
@@ -12,13 +12,11 @@ use num_traits::One;
 use cordon_core::exact::{self, Rational};
 use cordon_core::scalar::ring_operators;
 
-/// An exact fraction, cheap to clone, with whatever positive denominator the computation has
-/// led to.
+/// An exact fraction, cheap to clone, with any positive denominator that the computation led to.
 ///
-/// The units of a swarm multiply by the same few constants step after step, so that their
-/// denominators are equal, or divide one another, and reducing every result (as
-/// [`Rational`] does) would cost far more than it saves. Equal denominators are mostly one in
-/// memory. Equality is that of the numbers.
+/// The units of a swarm multiply by the same few constants step after step, so that their denominators
+/// are equal or divide one another; reducing every result (as [`Rational`] does) would cost far more
+/// than it saves. Equal denominators are mostly shared in memory. Equality is that of the numbers.
 #[derive(Clone, Debug)]
 pub struct Quotient(Arc<Terms>);
 
@@ -48,31 +46,31 @@ impl Quotient {
         exact::nearest_f64(&self.0.num, &self.0.den)
     }
 
-    /// `double(numerator)/double(denominator)` of the fraction in lowest terms: three
-    /// roundings, as the recorded runs have them.
+    /// `double(numerator)/double(denominator)` of the fraction in lowest terms: three roundings, as in
+    /// the recorded runs.
     pub fn to_f64_by_terms(&self) -> f64 {
         let x = self.to_rational();
         let double = |n: &BigInt| exact::to_f64(&Rational::from_integer(n.clone()));
         double(x.numer()) / double(x.denom())
     }
 
-    /// The distance of a double from this number, rounded once; infinite where the double is
-    /// not finite.
+    /// The distance of a double from this number, rounded once; infinite where the double is not
+    /// finite.
     pub fn distance_from(&self, x: f64) -> f64 {
         let Some(x) = Self::from_f64(x) else {
             return f64::INFINITY;
         };
-        // Over the product of the denominators: looking for a smaller one would cost more.
+        // Over the product of the denominators: reducing it first would cost more.
         let (a, b) = (&*self.0, &*x.0);
         let scaled = |num: &BigInt, den: &BigUint| num * BigInt::from(den.clone());
         let num = scaled(&a.num, &b.den) - scaled(&b.num, &a.den);
         Self::new(num, Arc::new(&*a.den * &*b.den)).to_f64().abs()
     }
 
-    /// The first convergent of which a double is the nearest one, a simple fraction: `1/3` of
-    /// `0.3333333333333333`, `1/5` of `0.2`. `None` where the double is not finite.
+    /// The first convergent of a double that rounds to it, a simple fraction: `1/3` for
+    /// `0.3333333333333333`, `1/5` for `0.2`. `None` where the double is not finite.
     ///
-    /// Parameters that were fractions before they travelled as doubles are so again.
+    /// This recovers parameters that were fractions before they travelled as doubles.
     pub fn simplest_of(x: f64) -> Option<Self> {
         let exact = Rational::from_float(x)?;
         // Convergents of the continued fraction: the first that rounds to the double.
@@ -91,7 +89,7 @@ impl Quotient {
         }
     }
 
-    /// The exact number that a double is; `None` where it is not finite.
+    /// The exact value of a double; `None` where it is not finite.
     pub fn from_f64(x: f64) -> Option<Self> {
         Rational::from_float(x).map(|r| Self::from(&r))
     }
@@ -120,7 +118,7 @@ impl PartialEq for Quotient {
 
 impl Eq for Quotient {}
 
-/// Both numerators over one denominator, which is multiplied only where it has to be.
+/// Both numerators over a common denominator, multiplied only where necessary.
 fn combined(
     a: &Quotient,
     b: &Quotient,
@@ -155,11 +153,11 @@ fn product(a: &Quotient, b: &Quotient) -> Quotient {
 }
 
 thread_local! {
-    /// Two denominators and their product, as last asked for: the units of a swarm ask for the
-    /// same one after another.
+    /// The last two denominators and their product: the units of a swarm ask for the same one after
+    /// another.
     static LAST: RefCell<Option<[Arc<BigUint>; 3]>> = const { RefCell::new(None) };
 
-    /// 0, 1 and 2, which every update asks for.
+    /// 0, 1 and 2, which every update needs.
     static SMALL: [Quotient; 3] = [0, 1, 2].map(whole);
 }
 

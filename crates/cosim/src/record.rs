@@ -1,9 +1,9 @@
-//! What is kept of a run: positions at every grid point, other variables where they are asked for.
+//! The record of a run: positions at every grid point, and other variables on request.
 
 use super::collision::Event;
 use cordon_core::Rational;
 
-/// The directions in which drones are told where to be.
+/// The directions in which drones are commanded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
     /// Along the line of drones.
@@ -13,7 +13,7 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// Its place among a body's three directions.
+    /// Its index among a body's three directions.
     pub fn place(self) -> usize {
         match self {
             Self::X => 0,
@@ -22,21 +22,21 @@ impl Axis {
     }
 }
 
-/// Positions of all drones along an axis, in m: a number a drone, grid point by grid point.
+/// Positions of all drones along an axis, in m: one number per drone, grid point by grid point.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Track {
-    /// Where they are told to be.
+    /// The desired positions.
     pub desired: Vec<f64>,
-    /// Position of each drone, in metres.
+    /// The actual positions.
     pub actual: Vec<f64>,
 }
 
-/// How high drones fly.
+/// The height of the drones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Height {
-    /// Where all are told to be: z_d in m.
+    /// The desired height of all, z_d in m.
     pub desired: f64,
-    /// Where they are, as for a [`Track`].
+    /// The actual heights, laid out as in a [`Track`].
     pub actual: Vec<f64>,
 }
 
@@ -47,12 +47,12 @@ pub struct Series {
     pub name: String,
     /// Symbol of its physical unit, `1` of a pure number.
     pub unit: String,
-    /// A number a grid point; truth is 1.
+    /// One number per grid point; `true` is 1.
     pub values: Vec<f64>,
 }
 
 impl Series {
-    /// Head of its column: `plant0.theta [rad]`.
+    /// The heading of its column: `plant0.theta [rad]`.
     pub fn head(&self) -> String {
         format!("{} [{}]", self.name, self.unit)
     }
@@ -61,7 +61,7 @@ impl Series {
 /// Desired and actual positions of a run at its grid points, and what happened.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
-    /// What was run, for people.
+    /// A title, for display.
     pub title: String,
     /// Number of drones in the line.
     pub count: usize,
@@ -69,32 +69,32 @@ pub struct Record {
     pub times: Vec<f64>,
     /// The track along the line.
     pub x: Track,
-    /// Across it, where drones fly in the plane.
+    /// The track across it, where drones fly in the plane.
     pub y: Option<Track>,
-    /// How high they fly, where it is known.
+    /// The heights, where they are known.
     pub height: Option<Height>,
-    /// Other variables, as they were asked for.
+    /// Other recorded variables.
     pub series: Vec<Series>,
-    /// Collisions and violations of the order, by time, where they were looked for.
+    /// Collisions and violations of the order, by time, where they were searched for.
     pub events: Option<Vec<Event>>,
-    /// What the run was made with, where it is known.
+    /// The set-up of the run, where it is known.
     pub setup: Option<Setup>,
-    /// What the user should know besides: warnings of FMUs.
+    /// Further notes for the user: warnings of FMUs.
     pub notes: Vec<String>,
-    /// Why the run ended before its time; what is here happened until then.
+    /// Why the run ended early; the record covers the time until then.
     pub broken_off: Option<String>,
 }
 
-/// What a run was made with, in words and exact numbers.
+/// The set-up of a run, in words and exact numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Setup {
     /// `coverage`, `consensus`, `formation` or a protocol file.
     pub protocol: String,
     /// Ends of the segment in m, for coverage.
     pub segment: Option<(Rational, Rational)>,
-    /// Weight eps of the neighbours, dimensionless; `None` of a protocol file without one.
+    /// Weight eps of the neighbours, dimensionless; `None` for a protocol file without one.
     pub weight: Option<Rational>,
-    /// Ticks from update to update.
+    /// Ticks from one update to the next.
     pub period: u32,
     /// Communication step in s.
     pub tau: Rational,
@@ -102,25 +102,25 @@ pub struct Setup {
     pub integrator: String,
     /// How the master exchanges values: `jacobi` or `gauss-seidel`.
     pub master: String,
-    /// In which order drones updated, where it was not all at once.
+    /// The order in which drones updated, where it was not all at once.
     pub order: Option<Vec<usize>>,
     /// Whether the arithmetic was that of the authors' recorded runs.
     pub recorded: bool,
-    /// FMUs in the place of units.
+    /// FMUs that replaced units.
     pub fmus: Vec<Flown>,
 }
 
-/// An FMU that flew in the place of a unit.
+/// An FMU that replaced a unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Flown {
-    /// Name of the unit whose place it took: `plant2`.
+    /// Name of the unit that it replaced: `plant2`.
     pub unit: String,
     /// Name of the FMU's file.
     pub fmu: String,
 }
 
 impl Setup {
-    /// What moved the drones, in words: the plants, the master, and whatever is unusual.
+    /// What simulated the drones, in words: the plants, the master, and anything unusual.
     pub fn flown_with(&self) -> String {
         let mut text = format!("{} plant, {} master", self.integrator, self.master);
         if let Some(order) = &self.order {
@@ -161,7 +161,7 @@ impl Setup {
     }
 }
 
-/// FMUs and drones that are listed in words.
+/// Most FMUs and drones that are listed by name.
 const MOST_LISTED: usize = 6;
 
 impl Record {
@@ -175,7 +175,7 @@ impl Record {
         self.at(&self.x.actual, row)
     }
 
-    /// A number a drone, at a grid point.
+    /// One number per drone, at a grid point.
     pub fn at<'n>(&self, numbers: &'n [f64], row: usize) -> &'n [f64] {
         let from = row.saturating_mul(self.count);
         numbers.get(from..from.saturating_add(self.count)).unwrap_or_default()
@@ -186,7 +186,7 @@ impl Record {
         std::iter::once((Axis::X, &self.x)).chain(self.y.as_ref().map(|y| (Axis::Y, y)))
     }
 
-    /// The columns of positions: how their names begin, and a number a drone and grid point.
+    /// The columns of positions: the prefix of their names, and one number per drone and grid point.
     pub fn positions(&self) -> impl Iterator<Item = (&'static str, &[f64])> {
         self.tracks().flat_map(|(axis, track)| {
             let (desired, actual) = match axis {

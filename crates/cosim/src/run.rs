@@ -1,4 +1,4 @@
-//! Running a swarm and keeping what happened.
+//! Running a swarm and recording the run.
 
 use super::collision::{Sample, Watch};
 use super::coordination::Slot;
@@ -15,7 +15,7 @@ use cordon_core::{Error, Result, exact, progress};
 /// Most numbers of one record, half a gigabyte of doubles.
 const MAX_NUMBERS: u128 = 1 << 26;
 
-/// Runs a swarm from its start to its end. Its pieces of [`progress`] are grid points.
+/// Runs a swarm from start to end. One piece of [`progress`] is a grid point.
 ///
 /// # Errors
 /// The swarm cannot be wired, a unit fails or sends a number that is not finite, or the
@@ -25,7 +25,7 @@ pub fn run(swarm: &Cosimulation) -> Result<Record> {
     ended.map(|()| record)
 }
 
-/// As [`run`]; where a unit fails on the way, what happened until then is kept beside the error.
+/// As [`run`]; where a unit fails on the way, returns the record up to then along with the error.
 ///
 /// # Errors
 /// The swarm cannot be wired, fails in its first step, or the record would be too
@@ -40,7 +40,7 @@ pub fn run_as_far_as_it_goes(swarm: &Cosimulation) -> Result<(Record, Result<()>
     }
 }
 
-/// The run in one loop over all drones; `None` where it does not end well.
+/// The run in one loop over all drones; `None` where it fails.
 fn together(swarm: &Cosimulation, mut fleet: Fleet<'_>) -> Result<Option<Record>> {
     let mut keeper = Keeper::new(swarm, Vec::new())?;
     for step in 0..=swarm.grid.steps() {
@@ -53,7 +53,7 @@ fn together(swarm: &Cosimulation, mut fleet: Fleet<'_>) -> Result<Option<Record>
     Ok(Some(keeper.finish()))
 }
 
-/// The run by units under a master.
+/// The run of units under a master.
 pub(super) fn by_units(swarm: &Cosimulation) -> Result<(Record, Result<()>)> {
     let wiring = swarm.wiring()?;
     let (selected, series) = selection::select(&swarm.recorded_variables, wiring.units())?;
@@ -75,7 +75,7 @@ pub(super) fn by_units(swarm: &Cosimulation) -> Result<(Record, Result<()>)> {
     let mut record = keeper.finish();
     record.notes = master.notes();
     match ended {
-        // A run file has two grid points at least.
+        // A run file needs at least two grid points.
         Err(e) if record.rows() < 2 => Err(e),
         Err(e) => {
             record.broken_off = Some(e.to_string());
@@ -85,12 +85,12 @@ pub(super) fn by_units(swarm: &Cosimulation) -> Result<(Record, Result<()>)> {
     }
 }
 
-/// What is kept of a run, row by row.
+/// The record of a run, filled row by row.
 struct Keeper {
     record: Record,
     row: Row,
     watch: Watch,
-    /// The time as the recorded runs had it, added up in doubles.
+    /// The time as in the recorded runs, summed up in doubles.
     accumulated: f64,
 }
 
@@ -106,7 +106,7 @@ impl Keeper {
             )));
         }
         progress::expect(swarm.grid.steps() + 1);
-        // The limit above is far below what a usize holds.
+        // The limit above is far below `usize::MAX`.
         let rows = usize::try_from(rows).unwrap_or_default();
         let numbers = || Vec::with_capacity(rows * count);
         let track = || Track { desired: numbers(), actual: numbers() };
@@ -127,7 +127,7 @@ impl Keeper {
         Ok(Self { record, row: Row::new(swarm), watch: swarm.watch(), accumulated: 0.0 })
     }
 
-    /// Keeps the row, and the values of the series, of a grid point.
+    /// Records the row and the values of the series at a grid point.
     fn keep(&mut self, swarm: &Cosimulation, step: u64, others: &[f64]) {
         let record = &mut self.record;
         let last = record.times.last().copied().unwrap_or_default();
@@ -147,7 +147,7 @@ impl Keeper {
 }
 
 impl Cosimulation {
-    /// What looks for collisions of this swarm.
+    /// The watch for collisions in this swarm.
     fn watch(&self) -> Watch {
         let tau = self.grid.tau_f64();
         match self.across {
@@ -157,7 +157,7 @@ impl Cosimulation {
     }
 }
 
-/// Of each drone the place of the desired positions, axis by axis, in its coordination unit.
+/// For each drone the indices of its desired positions in its coordination unit, axis by axis.
 fn places(swarm: &Cosimulation) -> Result<Vec<Vec<usize>>> {
     let slot = |axis: &Axis| match axis {
         Axis::X => Slot::Desired,
@@ -173,13 +173,12 @@ fn places(swarm: &Cosimulation) -> Result<Vec<Vec<usize>>> {
     (0..swarm.count()).map(of).collect()
 }
 
-/// What is kept of all drones at a grid point.
+/// The recorded values of all drones at a grid point.
 struct Row {
     axes: &'static [Axis],
-    /// Whether the drones move on straight lines from one grid point to the next: of those nothing but
-    /// the position is looked at.
+    /// Whether the drones move on straight lines between grid points, so that only positions matter.
     straight: bool,
-    /// Along each axis where drones are told to be.
+    /// The desired positions along each axis.
     wanted: Vec<Vec<f64>>,
     samples: Vec<Vec<Sample>>,
     heights: Vec<f64>,
@@ -199,7 +198,7 @@ impl Row {
 
     /// Takes the positions from the units after a step.
     fn read(&mut self, desired: &[Vec<usize>], master: &Master, step: u64) -> Result<()> {
-        // Of straight lines the positions are all.
+        // On straight lines positions are enough.
         let known = if self.straight { var::VX } else { var::X + STATE };
         let state: Vec<usize> = (var::X..known).collect();
         let mut wanted = vec![0.0; self.axes.len()];
@@ -217,7 +216,7 @@ impl Row {
         Ok(())
     }
 
-    /// Takes what all drones have in one place.
+    /// Takes the values from a fleet, which has all drones in one place.
     fn take(&mut self, fleet: &Fleet<'_>) {
         for (kept, desired) in self.wanted.iter_mut().zip(&fleet.desired) {
             kept.copy_from_slice(desired);
@@ -225,12 +224,12 @@ impl Row {
         fleet.states.iter().enumerate().for_each(|(i, state)| self.note(i, state));
     }
 
-    /// Notes the motion of a drone.
+    /// Records the motion of a drone.
     fn note(&mut self, drone: usize, state: &[f64; STATE]) {
         let [x, y, z, vx, vy, _, phi, theta, _, vphi, vtheta, _] = *state;
         let gravity = Body::default().gravity;
         for (axis, samples) in self.axes.iter().zip(&mut self.samples) {
-            // A roll to the right, phi > 0, is a push towards -y.
+            // A roll to the right, phi > 0, accelerates towards -y.
             let (x, v, push, angle, turning) = match axis {
                 Axis::X => (x, vx, gravity, theta, vtheta),
                 Axis::Y => (y, vy, -gravity, phi, vphi),

@@ -1,8 +1,8 @@
-//! Where the units of a drone are among all units.
+//! The indices of a drone's units among all units.
 
 use cordon_run::scenario::UnitName;
 
-/// The seat of a unit: whose it is, and which of the drone's three.
+/// The role of a unit: its drone, and which of the drone's three units it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Seat {
     /// The drone's place in the line, from 0.
@@ -27,18 +27,18 @@ impl Seat {
         Self { drone, unit: UnitName::Plant }
     }
 
-    /// The seats of so many drones, in the order of their places.
+    /// The seats of this many drones, in order of their index.
     pub fn all(drones: usize) -> impl Iterator<Item = Self> {
         (0..drones).flat_map(|drone| UnitName::ALL.map(|unit| Self { drone, unit }))
     }
 
-    /// Its place in a [`Wiring`](crate::wiring::Wiring): drone by drone, the units of a drone in
-    /// the order of [`UnitName::ALL`].
+    /// Its index in a [`Wiring`](crate::wiring::Wiring): drone by drone, the units of a drone in the
+    /// order of [`UnitName::ALL`].
     pub fn place(self) -> usize {
         UnitName::ALL.len() * self.drone + self.unit.place()
     }
 
-    /// The seat at a place.
+    /// The seat at an index.
     pub fn at(place: usize) -> Self {
         let [coordination, control, plant] = UnitName::ALL;
         let unit = match place % UnitName::ALL.len() {

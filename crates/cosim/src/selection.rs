@@ -1,4 +1,5 @@
-//! Which variables of units are recorded beside the positions, by patterns over their names.
+//! The variables of units that are recorded besides the positions, selected by patterns over their
+//! names.
 
 use super::record::Series;
 use super::unit::{Kind, Unit, Variable};
@@ -6,19 +7,19 @@ use cordon_core::text::cut;
 use cordon_core::{Error, Result};
 use cordon_run::scenario::UnitName;
 
-/// Variables of one unit that are recorded.
+/// The recorded variables of one unit.
 pub(super) struct Selected {
-    /// Place of the unit.
+    /// Index of the unit.
     pub unit: usize,
-    /// Places of its variables.
+    /// Indices of its variables.
     pub variables: Vec<usize>,
 }
 
-/// The numbers of these units whose `unit.variable` is one of the patterns: `*` stands for any text,
-/// `?` for any character. The series are those of all units, one after another, still empty.
+/// The numeric variables of these units whose `unit.variable` matches one of the patterns: `*` stands
+/// for any text, `?` for any character. The series of all units, one after another, are still empty.
 ///
 /// # Errors
-/// No number has a name of a pattern.
+/// A pattern matches no numeric variable.
 pub(super) fn select(
     patterns: &[String],
     units: &[Box<dyn Unit>],
@@ -60,19 +61,19 @@ fn is_number(v: &Variable) -> bool {
     matches!(v.kind(), Kind::Real | Kind::Integer | Kind::Exact)
 }
 
-/// The names of a unit's numbers, after its own.
+/// The names of a unit's numeric variables, after its own name.
 fn names(unit: &dyn Unit) -> String {
     let numbers = unit.variables().iter().filter(|v| is_number(v));
     let names: Vec<_> = numbers.map(|v| v.name.as_str()).collect();
     format!("{}: {}", unit.name(), names.join(", "))
 }
 
-/// Whether a name is of a pattern.
+/// Whether a name matches a pattern.
 fn matches(pattern: &str, name: &str) -> bool {
     let (pattern, name): (Vec<char>, Vec<char>) =
         (pattern.chars().collect(), name.chars().collect());
     let (mut p, mut n) = (0, 0);
-    // Where the last star stands, and what of the name it has taken so far.
+    // The position of the last star, and how much of the name it has matched so far.
     let mut star = None;
     while n < name.len() {
         match pattern.get(p) {

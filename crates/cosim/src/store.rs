@@ -1,4 +1,4 @@
-//! Recorded runs as files: written whole or not at all, refused where they are damaged.
+//! Files of recorded runs: written atomically, refused where damaged.
 
 mod csv;
 mod json;
@@ -16,7 +16,7 @@ use cordon_core::{Error, Result};
 pub use csv::csv;
 pub use json::json;
 
-/// A form of a run file.
+/// The format of a run file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// Comma-separated values: time, positions, other variables
@@ -28,7 +28,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// The form that the ending of a file's name says, in capitals or not.
+    /// The format given by a file name's extension, in upper or lower case.
     pub fn of(path: &Path) -> Option<Self> {
         let ending = path.extension()?.to_str()?.to_ascii_lowercase();
         match ending.as_str() {
@@ -40,10 +40,10 @@ impl Format {
     }
 }
 
-/// Writes a record into a stream.
+/// Writes a record to a stream.
 ///
 /// # Errors
-/// The stream cannot be written, or the form needs a feature that this build lacks.
+/// The stream cannot be written, or the format needs a feature that this build lacks.
 pub fn write(record: &Record, format: Format, out: &mut dyn Write) -> Result<()> {
     match format {
         Format::Csv => csv(record, out),
@@ -65,8 +65,8 @@ fn columns(_: &Record, _: &mut dyn Write) -> Result<()> {
     ))
 }
 
-/// Writes a record into a file, which appears whole or not at all. What the columns of CSV and
-/// Parquet cannot say (title, set-up, events) goes into a [companion](companion_of) beside it.
+/// Writes a record to a file, atomically. What CSV and Parquet columns cannot hold (title, set-up,
+/// events) goes into a [companion](companion_of) beside it.
 ///
 /// # Errors
 /// As for [`write()`].
@@ -77,7 +77,7 @@ pub fn save(record: &Record, format: Format, path: &Path) -> Result<()> {
     })?;
     match format {
         Format::Json => Ok(()),
-        // Beside a pipe or a device there is no place for another file.
+        // A pipe or a device has no room for a companion.
         _ if !files::is_regular(path) => Ok(()),
         Format::Csv | Format::Parquet => {
             let companion = json::companion(record, fingerprint)?;
@@ -86,20 +86,20 @@ pub fn save(record: &Record, format: Format, path: &Path) -> Result<()> {
     }
 }
 
-/// The companion of a run file: `run.csv.json` of `run.csv`.
+/// The companion of a run file: `run.csv.json` for `run.csv`.
 pub fn companion_of(path: &Path) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".json");
     name.into()
 }
 
-/// The files that [`save`] writes: the run, and where there is one its companion.
+/// The files that [`save`] writes: the run and, if any, its companion.
 pub fn written(path: &Path, format: Format) -> Vec<PathBuf> {
     let companion = (format != Format::Json).then(|| companion_of(path));
     std::iter::once(path.to_owned()).chain(companion).collect()
 }
 
-/// A file whose content is fingerprinted on its way.
+/// A file whose content is fingerprinted while it is written.
 struct Fingerprinted<'f> {
     file: &'f mut dyn Write,
     fingerprint: &'f mut Fingerprint,
@@ -117,11 +117,11 @@ impl Write for Fingerprinted<'_> {
     }
 }
 
-/// Reads a run file in CSV, with its companion where there is one, or in JSON.
+/// Reads a run file in CSV, with its companion if there is one, or in JSON.
 ///
 /// # Errors
-/// The file cannot be read, or is no whole run, or its companion is another run's: the message
-/// names it and says where.
+/// The file cannot be read or is incomplete, or its companion belongs to another run: the message names
+/// it and says where.
 pub fn load(path: &Path) -> Result<Record> {
     let name = path.display().to_string();
     match Format::of(path).unwrap_or(Format::Csv) {
@@ -145,9 +145,7 @@ pub fn load(path: &Path) -> Result<Record> {
     }
 }
 
-/// What every record that is read has to meet.
-///
-/// `place` names where a row of the record stands in the file.
+/// The conditions that every record read must meet. `place` names where a row of the record is in the file.
 fn check(name: &str, record: &Record, place: impl Fn(usize) -> String) -> Result<()> {
     let fail = |what: String| Err(Error::input(format!("`{name}`: {what}")));
     let at = |row: usize, what: &str| Err(Error::input(format!("{}: {what}", place(row))));
@@ -176,7 +174,7 @@ fn check(name: &str, record: &Record, place: impl Fn(usize) -> String) -> Result
     {
         return fail(format!("{what}: {found} numbers: expected {expected}"));
     }
-    // JSON has no other numbers, and the reader of CSV takes none.
+    // JSON has no other numbers, and the CSV reader accepts none.
     let not_finite = |x: &f64| !x.is_finite();
     if let Some(row) = record.times.iter().position(not_finite) {
         return at(row, "expected a finite time");

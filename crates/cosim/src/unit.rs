@@ -1,4 +1,4 @@
-//! What a co-simulation is made of: units with typed variables that advance in steps.
+//! The units of a co-simulation: models with typed variables that advance in steps.
 
 use std::fmt;
 use std::sync::Arc;
@@ -8,9 +8,9 @@ use super::quotient::Quotient;
 
 /// A unit of a co-simulation: the plant of a drone, its controller, a third-party model.
 ///
-/// A unit knows nothing of the others. The master reads its outputs, sets its inputs and then
-/// lets it advance by one communication step; between two steps nothing in it moves.
-/// Variables are addressed by their place in [`variables`](Unit::variables).
+/// Units know nothing of each other. The master reads a unit's outputs, sets its inputs and then lets
+/// it advance by one communication step; between two steps nothing in it changes. Variables are
+/// addressed by their index in [`variables`](Unit::variables).
 pub trait Unit: Send {
     /// The instance's name, unique in its co-simulation.
     fn name(&self) -> &str;
@@ -25,13 +25,13 @@ pub trait Unit: Send {
     /// outside the variable's range.
     fn set(&mut self, variable: usize, value: &Value) -> Result<(), UnitError>;
 
-    /// The present value of any variable.
+    /// The current value of any variable.
     ///
     /// # Errors
-    /// There is no such variable, or its value cannot be had.
+    /// There is no such variable, or its value is not available.
     fn get(&self, variable: usize) -> Result<Value, UnitError>;
 
-    /// The present values of several numbers, as doubles; not a number where one is none.
+    /// The current values of several variables as doubles; NaN for one that is not a number.
     ///
     /// # Errors
     /// As for [`get`](Unit::get).
@@ -53,16 +53,16 @@ pub trait Unit: Send {
         Ok(())
     }
 
-    /// Called once, after the parameters and before the first exchange: the unit learns the
-    /// communication grid and puts itself into its initial state.
+    /// Called once, after the parameters are set and before the first exchange: the unit is given the
+    /// communication grid and enters its initial state.
     ///
     /// # Errors
-    /// A parameter is outside its range, or the unit cannot keep to the grid (its own step
-    /// does not divide).
+    /// A parameter is out of range, or the unit cannot follow the grid (its own step does not divide
+    /// the communication step).
     fn initialise(&mut self, grid: &Grid) -> Result<(), UnitError>;
 
-    /// Called with the inputs of the step that [`do_step`](Unit::do_step) is about to end; where units
-    /// step at once, for all of them first: what computes in another process begins.
+    /// Called before [`do_step`](Unit::do_step), with the inputs of that step; where units step at
+    /// once, for all of them first, so that units in other processes compute in parallel.
     ///
     /// # Errors
     /// The unit cannot begin the step.
@@ -70,43 +70,42 @@ pub trait Unit: Send {
         Ok(())
     }
 
-    /// Advances by the communication step that begins at grid point `step`, with the inputs
-    /// as they are.
+    /// Advances by the communication step that begins at grid point `step`, with the current inputs.
     ///
     /// # Errors
     /// The unit cannot compute the step.
     fn do_step(&mut self, grid: &Grid, step: u64) -> Result<(), UnitError>;
 
-    /// Whether some output may have changed since the last step began. A unit that moves
-    /// rarely saves the master work by saying so.
+    /// Whether some output may have changed since the last step began. A unit that rarely changes saves
+    /// the master work by returning false.
     fn moved(&self) -> bool {
         true
     }
 
-    /// What the user should know about the unit, as of now: warnings of an FMU.
+    /// Notes on the unit for the user, so far: warnings of an FMU.
     fn notes(&self) -> &[String] {
         &[]
     }
 
-    /// Told instead of [`set`](Unit::set) where a message to this input was lost on its way.
-    /// The input keeps its value; a unit that wants to know overrides this.
+    /// Called instead of [`set`](Unit::set) where a message to this input was lost. The input keeps its
+    /// value; a unit that needs to know overrides this.
     fn lost(&mut self, _input: usize) {}
 }
 
-/// A unit whose state can be kept and gone back to.
+/// A unit whose state can be saved and restored.
 pub trait Resumable: Unit {
-    /// What the unit remembers besides its parameters and inputs.
+    /// The state of the unit besides its parameters and inputs.
     fn memory(&self) -> Vec<Value>;
 
-    /// Takes up where [`memory`](Resumable::memory) was asked for. Called after
+    /// Restores the state that [`memory`](Resumable::memory) returned. Called after
     /// [`initialise`](Unit::initialise), with the same parameters and inputs.
     ///
     /// # Errors
-    /// This is no memory of such a unit.
+    /// This is not the state of such a unit.
     fn recall(&mut self, memory: &[Value]) -> Result<(), UnitError>;
 }
 
-/// The doubles of a memory that has `N` of them.
+/// The doubles of a saved state that has `N` of them.
 ///
 /// # Errors
 /// It has another shape.
@@ -136,14 +135,14 @@ pub struct Variable {
     pub name: String,
     /// Physical unit of the values (`m`, `m/s`, `rad`), [`Dimension::NONE`] for pure numbers.
     pub dimension: Dimension,
-    /// Whether others set it, or the unit does.
+    /// Who sets it.
     pub causality: Causality,
     /// The values' type and the value before the first step.
     pub start: Value,
-    /// What it is, for people.
+    /// A description, for display.
     pub description: &'static str,
-    /// Places of the inputs on which this output depends without a step in between (direct
-    /// feedthrough). Empty for units whose outputs move in `do_step` only.
+    /// Indices of the inputs that this output depends on within a step (direct feedthrough). Empty for
+    /// units whose outputs change in `do_step` only.
     pub feedthrough: Vec<usize>,
 }
 
@@ -181,13 +180,13 @@ impl Dimension {
     pub const NONE: Self = Self("");
     /// Metres.
     pub const METRE: Self = Self("m");
-    /// Metres a second.
+    /// Metres per second.
     pub const METRE_PER_SECOND: Self = Self("m/s");
-    /// Metres a second squared.
+    /// Metres per second squared.
     pub const METRE_PER_SECOND_SQUARED: Self = Self("m/s2");
     /// Radians.
     pub const RADIAN: Self = Self("rad");
-    /// Radians a second.
+    /// Radians per second.
     pub const RADIAN_PER_SECOND: Self = Self("rad/s");
     /// Per second: gains.
     pub const PER_SECOND: Self = Self("1/s");
@@ -195,9 +194,9 @@ impl Dimension {
     pub const KILOGRAM: Self = Self("kg");
     /// Moments of inertia.
     pub const KILOGRAM_METRE_SQUARED: Self = Self("kg.m2");
-    /// Thrust a squared rotor speed.
+    /// Thrust per squared rotor speed.
     pub const THRUST_FACTOR: Self = Self("kg.m");
-    /// Torque a squared rotor speed.
+    /// Torque per squared rotor speed.
     pub const TORQUE_FACTOR: Self = Self("kg.m2");
     /// Seconds.
     pub const SECOND: Self = Self("s");
@@ -218,7 +217,7 @@ pub enum Causality {
     Input,
     /// The unit; can be connected to inputs.
     Output,
-    /// The unit; to look at only.
+    /// The unit; for inspection only.
     Local,
 }
 
@@ -239,7 +238,7 @@ impl Causality {
 pub enum Kind {
     /// A double, with a unit of measurement.
     Real,
-    /// Whole numbers of 64 bits.
+    /// A 64-bit integer.
     Integer,
     /// True or false.
     Boolean,
@@ -268,18 +267,18 @@ impl fmt::Display for Kind {
 pub enum Value {
     /// A double.
     Real(f64),
-    /// A whole number.
+    /// An integer.
     Integer(i64),
     /// True or false.
     Boolean(bool),
     /// Text.
     Text(Arc<str>),
-    /// An exact number, which FMI sends as text.
+    /// An exact number, sent as text over FMI.
     Exact(Quotient),
 }
 
 impl Value {
-    /// The type that a variable has to have to take it.
+    /// The type of a variable that can hold it.
     pub fn kind(&self) -> Kind {
         match self {
             Self::Real(_) => Kind::Real,
@@ -294,7 +293,7 @@ impl Value {
     pub fn to_f64(&self) -> Option<f64> {
         match self {
             Self::Real(x) => Some(*x),
-            // Exact below 2^53, rounded above: a double is what was asked for.
+            // Exact below 2^53, rounded above: the caller asked for a double.
             Self::Integer(n) => Some(*n as f64),
             Self::Exact(x) => Some(x.to_f64()),
             Self::Boolean(_) | Self::Text(_) => None,
@@ -314,8 +313,8 @@ impl fmt::Display for Value {
     }
 }
 
-/// Why a unit could not do what it was asked, in the user's words. Small, because every `get`
-/// and `set` may return one.
+/// Why a unit could not do what was asked, as a message for the user. Small, because every `get` and
+/// `set` may return one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnitError(Box<UnitErrorParts>);
 
@@ -327,8 +326,8 @@ struct UnitErrorParts {
 }
 
 impl UnitError {
-    /// An error of a unit, about one of its variables where it is about one; `what` says what
-    /// was found and what was expected.
+    /// An error of a unit, optionally about one of its variables; `what` says what was found and what
+    /// was expected.
     pub fn new(unit: &str, variable: Option<&str>, what: impl Into<String>) -> Self {
         Self(Box::new(UnitErrorParts {
             unit: unit.to_owned(),
@@ -342,7 +341,7 @@ impl UnitError {
         &self.0.unit
     }
 
-    /// The variable's name, where the error is about one.
+    /// The name of the variable, if the error is about one.
     pub fn variable(&self) -> Option<&str> {
         self.0.variable.as_deref()
     }
@@ -366,20 +365,20 @@ impl From<UnitError> for cordon_core::Error {
     }
 }
 
-/// An error about a variable of a unit, found by its place.
+/// An error about a variable of a unit, given by its index.
 pub fn at_variable(unit: &dyn Unit, variable: usize, what: impl Into<String>) -> UnitError {
     let name = unit.variables().get(variable).map(|v| v.name.clone());
     let name = name.unwrap_or_else(|| format!("number {variable}"));
     UnitError::new(unit.name(), Some(&name), what)
 }
 
-/// The error of [`Unit::get`] for a place beyond the table.
+/// The error of [`Unit::get`] for an index beyond the table.
 pub fn no_such_variable(unit: &dyn Unit, variable: usize) -> UnitError {
     let count = unit.variables().len();
     at_variable(unit, variable, format!("expected one of its {count} variables"))
 }
 
-/// The double that a settable real variable is given.
+/// The double that a real variable is set to.
 ///
 /// # Errors
 /// The value has another type.

@@ -1,4 +1,4 @@
-//! Which units there are and what is connected with what.
+//! The units and connections of a co-simulation.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -6,12 +6,12 @@ use std::ops::Range;
 use super::unit::{Causality, Unit, UnitError, Value, Variable, at_variable};
 use cordon_core::Result;
 
-/// A variable of a unit, by its place.
+/// A variable of a unit, by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Port {
-    /// Place of the unit.
+    /// Index of the unit.
     pub unit: usize,
-    /// Place of the variable in the unit's table.
+    /// Index of the variable in the unit's table.
     pub variable: usize,
 }
 
@@ -23,14 +23,13 @@ pub enum Timing {
     /// The source's value after its step, under a Gauss-Seidel master: the source is stepped
     /// before the target. Under a Jacobi master it is sampled.
     Immediate,
-    /// The source's value after its step, whatever the master.
+    /// The source's value after its step, under any master.
     Ordered,
 }
 
-/// What carries messages along a connection; the perfect link is none at all.
+/// Carries messages along a connection; a perfect connection has no link.
 pub trait Link: Send {
-    /// The message that arrives at grid point `step`, where `value` is sent; `None` where it
-    /// is lost.
+    /// The message that arrives at grid point `step`, when `value` is sent; `None` where it is lost.
     fn carry(&mut self, step: u64, value: &Value) -> Option<Value>;
 }
 
@@ -42,18 +41,18 @@ pub(super) struct Connection {
     pub(super) link: Option<Box<dyn Link>>,
 }
 
-/// Units and connections, being put together.
+/// Units and connections under construction.
 #[derive(Default)]
 pub struct Wiring {
     pub(super) units: Vec<Box<dyn Unit>>,
     pub(super) connections: Vec<Connection>,
     pub(super) held: Vec<(Port, Value)>,
-    /// Steps in which a unit is out of order, by its place.
+    /// Steps in which a unit has an outage, by its index.
     pub(super) outages: BTreeMap<usize, Vec<Range<u64>>>,
 }
 
 impl Wiring {
-    /// Adds a unit; the answer is its place.
+    /// Adds a unit and returns its index.
     pub fn add(&mut self, unit: Box<dyn Unit>) -> usize {
         self.units.push(unit);
         self.units.len() - 1
@@ -64,7 +63,7 @@ impl Wiring {
         &self.units
     }
 
-    /// The place of a variable by name.
+    /// A variable, by the name in its unit.
     ///
     /// # Errors
     /// The unit has no such variable.
@@ -94,20 +93,20 @@ impl Wiring {
         self.connections.push(Connection { from, to, timing, link: Some(link) });
     }
 
-    /// Holds an input that nothing is connected to at a value.
+    /// Holds an unconnected input at a value.
     pub fn hold(&mut self, input: Port, value: Value) {
         self.held.push((input, value));
     }
 
-    /// Puts a unit out of order in some steps: it does not advance, and what it sends is lost.
+    /// Gives a unit an outage in some steps: it does not advance, and what it sends is lost.
     pub fn outage(&mut self, unit: usize, steps: Range<u64>) {
         self.outages.entry(unit).or_default().push(steps);
     }
 
-    /// Puts another unit in the place of one. It has to have the same variables.
+    /// Replaces a unit. The new one must have the same variables.
     ///
     /// # Errors
-    /// The other one cannot be had.
+    /// The new unit cannot be created.
     pub fn substitute(
         &mut self,
         place: usize,
@@ -125,7 +124,7 @@ impl Wiring {
         self.connections.iter().map(|c| (c.from, c.to))
     }
 
-    /// The inputs that nothing is connected to, with the values that they are held at.
+    /// The unconnected inputs, with the values that they are held at.
     pub fn held(&self) -> impl Iterator<Item = (Port, &Value)> {
         self.held.iter().map(|(port, value)| (*port, value))
     }

@@ -1,4 +1,4 @@
-//! The C interface of the standards: types of the functions that are called.
+//! The C interface of the standards: types of the functions that are called here.
 
 use std::ffi::{c_char, c_int, c_uint, c_void};
 

@@ -1,4 +1,4 @@
-//! What it takes to make an instance of an FMU.
+//! The data needed to instantiate an FMU.
 
 use std::path::PathBuf;
 
@@ -22,14 +22,14 @@ pub struct Fmu {
     pub binary: PathBuf,
     /// Version of the standard.
     pub version: Version,
-    /// Identifier with which instances are made: `guid` or `instantiationToken`.
+    /// Identifier required to make instances: `guid` or `instantiationToken`.
     pub token: String,
     /// Name of the instance.
     pub name: String,
 }
 
-/// The type of a variable, by the names of FMI 3.0. Of FMI 2.0, `Real` is [`Type::Float64`],
-/// `Integer` and `Enumeration` are [`Type::Int32`].
+/// The type of a variable, by its name in FMI 3.0. In FMI 2.0, `Real` is [`Type::Float64`], `Integer`
+/// and `Enumeration` are [`Type::Int32`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[allow(missing_docs, reason = "the names are the standard's")]
 pub enum Type {
@@ -50,20 +50,20 @@ pub enum Type {
 /// A variable of an FMU.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Variable {
-    /// Name of the variable, which messages show.
+    /// Name of the variable, for messages.
     pub name: String,
-    /// Value reference: by it the C functions know the variable.
+    /// Value reference, which identifies the variable in the C functions.
     pub reference: u32,
-    /// The type by which its value is asked for.
+    /// The type used to read and write its value.
     pub kind: Type,
 }
 
 /// The value of a variable.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Datum {
-    /// Of both floating types.
+    /// For both floating-point types.
     Real(f64),
-    /// Of all integer types.
+    /// For all integer types.
     Integer(i64),
     /// True or false.
     Boolean(bool),

@@ -1,4 +1,4 @@
-//! The child process's side: one instance, which does what it is told.
+//! The child process: one instance, which carries out the orders of the parent.
 
 use std::io::{BufReader, Read, Write};
 use std::path::{Path, PathBuf};
@@ -8,11 +8,11 @@ use crate::fmu::Fmu;
 use crate::instance::Instance;
 use crate::message::{self, Order, Reply};
 
-/// Carries out orders until the last one, or until nobody sends any more or takes the answers.
+/// Carries out orders until the last one, or until a pipe to the parent process is closed.
 pub fn serve(orders: impl Read, answers: impl Write) {
     let mut folder = None;
     let ended = attend(orders, answers, &mut folder);
-    // The parent process has died: nobody else removes the unpacked archive.
+    // The parent process has died: nobody else will remove the unpacked archive.
     if let (Err(_), Some(folder)) = (ended, folder) {
         remove(&folder);
     }
@@ -24,7 +24,7 @@ fn attend(
     mut answers: impl Write,
     folder: &mut Option<PathBuf>,
 ) -> std::io::Result<()> {
-    // A message a call of the system: the length and what follows come together.
+    // Read a whole message (length and content) in one system call.
     let mut orders = BufReader::new(orders);
     let mut instance: Option<Instance> = None;
     loop {
@@ -54,17 +54,16 @@ fn attend(
     }
 }
 
-/// Removes an unpacked archive, of which nothing may be left. The main thread and the watching one
-/// may both come here.
+/// Removes an unpacked archive completely. The main thread and the watching thread may both call this.
 fn remove(folder: &Path) {
     static ONE: Mutex<()> = Mutex::new(());
     let _one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
-    // There is nobody to tell where it cannot be removed.
+    // There is nobody left to report a failure to.
     let _ = std::fs::remove_dir_all(folder);
 }
 
-/// Ends this process, and removes the unpacked archive, where the parent process is gone: it may
-/// have been killed while the FMU computes.
+/// Exits and removes the unpacked archive when the parent process is gone: it may be killed while the
+/// FMU computes.
 #[cfg(unix)]
 fn watch_over(fmu: &Fmu) {
     let parent = std::os::unix::process::parent_id();
@@ -87,7 +86,7 @@ mod tests {
     use super::*;
     use crate::fmu::Version;
 
-    /// A parent process that is gone: it takes no answer.
+    /// A parent process that is gone: answers cannot be written.
     struct Gone;
 
     impl Write for Gone {
@@ -100,8 +99,8 @@ mod tests {
         }
     }
 
-    /// Whoever outlives the other removes the folder: the child where nobody takes its answer, else
-    /// the parent.
+    /// Whichever process outlives the other removes the folder: the child if its answer cannot be
+    /// delivered, otherwise the parent.
     #[test]
     fn the_archive_is_removed_where_nobody_takes_the_answer() {
         let folder = std::env::temp_dir().join(format!("cordon-host-{}", std::process::id()));

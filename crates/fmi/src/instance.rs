@@ -1,4 +1,4 @@
-//! An instance of an FMU in this process, and the calls of the standards in their order.
+//! An instance of an FMU in this process, and the calls of the standards in the required order.
 
 mod values;
 
@@ -14,8 +14,7 @@ use crate::library::Library;
 use crate::log::{Log, logger_3};
 use crate::message::{Beginning, Reply};
 
-/// Instances of one process are called one at a time: many libraries have state that all their
-/// instances share.
+/// Instances in one process are called one at a time: many libraries share state between instances.
 static CALLS: Mutex<()> = Mutex::new(());
 
 fn one_at_a_time() -> MutexGuard<'static, ()> {
@@ -42,32 +41,32 @@ pub struct Instance {
     inputs: Vec<Variable>,
     outputs: Vec<Variable>,
     notes: Vec<String>,
-    /// What was noted before: once is enough.
+    /// Notes made before: each is made once.
     noted: BTreeSet<String>,
     /// FMI 2.0 keeps pointers to these.
     _kept: Box<(c::Callbacks, [CString; 3])>,
 }
 
-/// How far an instance has got.
+/// The state of an instance.
 #[derive(Clone, Copy, PartialEq)]
 enum Phase {
     Made,
     Running,
     /// It failed; it may still be freed.
     Failed,
-    /// It said *fatal*: not one call more.
+    /// It returned *fatal*: no further call is allowed.
     Fatal,
 }
 
-// SAFETY: the standards let an instance move from thread to thread as long as one thread at a
-// time calls it; `CALLS` sees to that.
+// SAFETY: the standards allow an instance to move between threads as long as one thread at a time calls
+// it; `CALLS` ensures that.
 unsafe impl Send for Instance {}
 
 impl Instance {
     /// Loads the binary and makes the instance.
     ///
     /// # Errors
-    /// The binary cannot be loaded, lacks functions, or makes no instance; in words.
+    /// The binary cannot be loaded, lacks functions, or makes no instance; the error is the message.
     pub fn load(fmu: &Fmu) -> Result<Self, String> {
         let _call = one_at_a_time();
         let library = Library::load(&fmu.binary)?;
@@ -161,8 +160,8 @@ impl Instance {
         }
     }
 
-    /// The order of the standards: set up the experiment, start values, enter the initialisation,
-    /// start values again (some FMUs take them only now), leave it.
+    /// Calls in the order of the standards: set up the experiment, set start values, enter
+    /// initialisation, set start values again (some FMUs accept them only now), exit initialisation.
     fn begin(&mut self, beginning: Beginning) -> Result<Vec<Datum>, String> {
         let Beginning { parameters, inputs, outputs, stop } = beginning;
         if self.version == Version::V2 {
@@ -236,7 +235,7 @@ impl Instance {
         self.outputs()
     }
 
-    /// Waits for a step that goes on in the background.
+    /// Waits for an asynchronous step.
     fn awaited(&self, mut status: c_int) -> Result<c_int, String> {
         while status == PENDING {
             // SAFETY: the type is the standard's.
@@ -261,7 +260,7 @@ impl Instance {
         read
     }
 
-    /// Notes a parameter that is not what it was set to.
+    /// Adds a note if a parameter does not have the value that it was set to.
     fn read_back(&mut self, variable: &Variable, value: &Datum) {
         let name = &variable.name;
         let failed_before = self.phase;
@@ -283,7 +282,7 @@ impl Instance {
         self.note(note);
     }
 
-    /// A function without further arguments.
+    /// Calls a function that takes only the instance.
     fn plain(&mut self, call: &str, function: &str) -> Result<(), String> {
         let prefix = match self.version {
             Version::V2 => "fmi2",
@@ -296,7 +295,7 @@ impl Instance {
         self.judge(|| call.to_owned(), status)
     }
 
-    /// What a status means: all but *OK* and *warning* are failures, and a warning is noted.
+    /// Interprets a status: all but *OK* and *warning* are failures, and a warning is noted.
     fn judge(&mut self, call: impl Fn() -> String, status: c_int) -> Result<(), String> {
         let word = match status {
             OK => return Ok(()),
@@ -320,7 +319,7 @@ impl Drop for Instance {
     fn drop(&mut self) {
         let _call = one_at_a_time();
         if self.phase == Phase::Running {
-            // The run is over; what it says now changes nothing.
+            // The run is over; a failure now changes nothing.
             let _ = self.plain("terminating", "Terminate");
         }
         if self.phase == Phase::Fatal {
@@ -338,7 +337,7 @@ impl Drop for Instance {
     }
 }
 
-/// A failure with what the FMU said about it.
+/// The message of a failure, with the FMU's own log messages.
 fn explained(what: &str, said: Vec<String>) -> String {
     match said.is_empty() {
         true => format!("{what}, without a message"),
@@ -346,7 +345,7 @@ fn explained(what: &str, said: Vec<String>) -> String {
     }
 }
 
-/// Where the resources are, as the standards want it said: a URI, or a path that ends in a
+/// The location of the resources in the form required by the standard: a URI, or a path that ends in a
 /// separator.
 fn resources(folder: &Path, version: Version) -> String {
     let path = folder.join("resources");

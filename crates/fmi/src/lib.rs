@@ -1,11 +1,11 @@
-//! FMUs of other tools: loading them and calling them, FMI 2.0 and 3.0 for co-simulation.
+//! FMUs of other tools: loading and calling them, for FMI 2.0 and 3.0 co-simulation.
 //!
-//! An [`Fmu`](fmu::Fmu) is an unpacked archive with what its model description says; an
-//! [`Instance`](instance::Instance) of it is called in this process. Foreign code may crash, hang
-//! or end the process it runs in: a [`Remote`](remote::Remote) has the instance in a child process
-//! whose program calls [`host::serve`]. Both take the same [`Order`](message::Order)s.
+//! An [`Fmu`](fmu::Fmu) is an unpacked archive with the data of its model description; an
+//! [`Instance`](instance::Instance) of it runs in this process. Foreign code may crash, hang or end the
+//! process it runs in: a [`Remote`](remote::Remote) has the instance in a child process whose program
+//! calls [`host::serve`]. Both take the same [`Order`](message::Order)s.
 //!
-//! Nothing here knows drones, units or scenarios.
+//! Nothing here depends on drones, units or scenarios.
 
 mod c;
 pub mod fmu;

@@ -7,18 +7,18 @@ use std::path::Path;
 
 use libloading::Library as Loaded;
 
-/// A loaded library. It is never unloaded: many FMUs leave threads or handlers behind that would
-/// run on into nothing.
+/// A loaded library. It is never unloaded: many FMUs leave threads or handlers behind that would then
+/// run unmapped code.
 pub(crate) struct Library {
     loaded: &'static Loaded,
-    /// Addresses of functions by their names: looking one up costs as much as a short call.
+    /// Cached addresses of functions: looking one up costs as much as a short call.
     found: RefCell<BTreeMap<String, *mut c_void>>,
 }
 
 impl Library {
     pub(crate) fn load(path: &Path) -> Result<Self, String> {
-        // SAFETY: the library's constructors run. That foreign code does what it should is what
-        // loading an FMU relies on; where it does not, the process ends: see `remote`.
+        // SAFETY: the library's constructors run. Loading an FMU relies on foreign code behaving; if it
+        // does not, the process ends: see `remote`.
         let loaded = unsafe { Loaded::new(path) };
         let loaded = loaded.map_err(|e| format!("loading `{}`: {e}", path.display()))?;
         Ok(Self { loaded: Box::leak(Box::new(loaded)), found: RefCell::default() })
@@ -27,13 +27,13 @@ impl Library {
     /// A function by name.
     ///
     /// # Safety
-    /// `F` is the function's type, as the standard has it: a pointer.
+    /// `F` is the function's type in the standard, a pointer.
     pub(crate) unsafe fn function<F: Copy>(&self, name: &str) -> Result<F, String> {
         let known = self.found.borrow().get(name).copied();
         let address = match known {
             Some(address) => address,
             None => {
-                // SAFETY: an address is asked for, whatever is there.
+                // SAFETY: only an address is read, of whatever type.
                 let symbol = unsafe { self.loaded.get::<*mut c_void>(name.as_bytes()) };
                 let found = symbol.ok().map(|symbol| *symbol).filter(|address| !address.is_null());
                 let missing = || format!("loading: the binary has no function `{name}`");
@@ -42,7 +42,7 @@ impl Library {
                 address
             }
         };
-        // SAFETY: the caller vouches for the type, which has the size of an address.
+        // SAFETY: the caller guarantees the type, which has the size of an address.
         Ok(unsafe { std::mem::transmute_copy::<*mut c_void, F>(&address) })
     }
 }

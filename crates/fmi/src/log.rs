@@ -1,16 +1,16 @@
-//! What FMUs say through their loggers.
+//! The log messages of FMUs.
 //!
-//! The loggers get a number for an environment, no pointer: a message that comes late, when its
-//! instance is gone, finds nothing and is dropped.
+//! Loggers get a number as their environment instead of a pointer: a message that arrives after its
+//! instance is gone is not found and dropped.
 
 use std::collections::BTreeMap;
 use std::ffi::{CStr, c_char, c_int, c_void};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Most messages that are kept a call: the first ones explain, the rest repeats.
+/// Most messages kept per call: the first ones explain, the rest repeat.
 const MOST: usize = 8;
 
-/// Status from which on messages are kept: warnings.
+/// Lowest status of the messages kept: warnings.
 const WARNING: c_int = 1;
 
 #[derive(Default)]
@@ -25,7 +25,7 @@ fn said() -> MutexGuard<'static, BTreeMap<usize, Said>> {
     SAID.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The log of an instance: open as long as this lives.
+/// The log of an instance, open while this value lives.
 pub(crate) struct Log(usize);
 
 impl Log {
@@ -36,7 +36,7 @@ impl Log {
         Self(number)
     }
 
-    /// The environment that loggers are given.
+    /// The environment passed to loggers.
     pub(crate) fn environment(&self) -> *mut c_void {
         std::ptr::without_provenance_mut(self.0)
     }
@@ -58,7 +58,7 @@ impl Drop for Log {
     }
 }
 
-/// Keeps a message. Called from C with whatever the FMU gave.
+/// Records a message. Called from C with arguments from the FMU.
 ///
 /// # Safety
 /// `message` is null or a string that ends in a zero byte.
@@ -73,7 +73,7 @@ unsafe extern "C" fn cordon_fmi_log(
     }
     let text = match message.is_null() {
         true => "a message without text".into(),
-        // SAFETY: not null, and the caller vouches for the rest.
+        // SAFETY: not null, and the caller guarantees the rest.
         false => unsafe { CStr::from_ptr(message) }.to_string_lossy(),
     };
     if let Some(said) = said().get_mut(&environment.addr()) {
@@ -95,6 +95,6 @@ pub(crate) unsafe extern "C" fn logger_3(
     _category: *const c_char,
     message: *const c_char,
 ) {
-    // SAFETY: the caller vouches for it.
+    // SAFETY: as required of the caller.
     unsafe { cordon_fmi_log(environment, status, message) };
 }

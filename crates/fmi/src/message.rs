@@ -1,4 +1,4 @@
-//! What is asked of an instance, and what it answers.
+//! Orders to an instance, and its replies.
 
 use std::io::{self, Read, Write};
 
@@ -12,13 +12,13 @@ use crate::fmu::{Datum, Fmu, Variable};
 pub enum Order {
     /// Load the binary and make the instance: the first order.
     Load(Fmu),
-    /// Begin at time 0; from here on the outputs are those.
+    /// Begin at time 0; from here on every reply has the values of these outputs.
     Initialise(Beginning),
-    /// Advance. The values are those of the inputs, in their order.
+    /// Advance. The values are those of the inputs, in the order given at initialisation.
     Step {
-        /// Where the step begins, in seconds.
+        /// Beginning of the step, in seconds.
         from: f64,
-        /// How long it is, in seconds.
+        /// Length of the step, in seconds.
         size: f64,
         /// Values of the inputs.
         inputs: Vec<Datum>,
@@ -27,44 +27,44 @@ pub enum Order {
     Finish,
 }
 
-/// How a run begins.
+/// The variables and values at the beginning of a run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Beginning {
     /// Parameters with their values.
     pub parameters: Vec<(Variable, Datum)>,
-    /// Inputs, in the order in which steps give their values, with those before the first step.
+    /// Inputs, in the order of their values in steps, with their values before the first step.
     pub inputs: Vec<(Variable, Datum)>,
-    /// Outputs, in the order in which answers have their values.
+    /// Outputs, in the order of their values in replies.
     pub outputs: Vec<Variable>,
     /// End of the run in seconds.
     pub stop: f64,
 }
 
-/// What came of an order: values of the outputs, or why it failed.
+/// The result of an order: values of the outputs, or why it failed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Reply {
     /// Values of the outputs, after the initialisation and after steps.
     pub result: Result<Vec<Datum>, String>,
-    /// What the user should know besides: warnings, discarded values.
+    /// Further notes for the user: warnings, discarded values.
     pub notes: Vec<String>,
 }
 
 impl Reply {
-    /// The reply of an instance that failed, and has nothing else to say.
+    /// A failure without further notes.
     pub fn failed(why: String) -> Self {
         Self { result: Err(why), notes: Vec::new() }
     }
 }
 
-/// Room for the messages of a step, in bytes.
+/// Typical size of the message of a step, in bytes.
 const USUAL: usize = 512;
 
-/// Longest message in bytes: more is no message of ours.
+/// Longest message in bytes: anything longer is not one of ours.
 const LONGEST: u32 = 1 << 26;
 
 /// Writes a message: its length, then its bytes.
 pub(crate) fn write(stream: &mut impl Write, message: &impl Serialize) -> io::Result<()> {
-    // Its length goes into the first four bytes, so that there is one write a message.
+    // The length goes into the first four bytes, so that there is one write per message.
     let mut bytes = Vec::with_capacity(USUAL);
     bytes.extend([0; 4]);
     let mut bytes = postcard::to_extend(message, bytes).map_err(io::Error::other)?;
@@ -76,7 +76,7 @@ pub(crate) fn write(stream: &mut impl Write, message: &impl Serialize) -> io::Re
     stream.write_all(&bytes)
 }
 
-/// Reads a message that [`write`] wrote.
+/// Reads a message written by [`write`].
 pub(crate) fn read<T: DeserializeOwned>(stream: &mut impl Read) -> io::Result<T> {
     let mut head = [0; 4];
     stream.read_exact(&mut head)?;

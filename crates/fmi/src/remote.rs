@@ -1,4 +1,4 @@
-//! The parent's side of an instance in a child process.
+//! The parent process of an instance in a child process.
 
 use std::fs::File;
 use std::io::{self, BufReader, PipeReader, PipeWriter, Read};
@@ -13,24 +13,24 @@ use rustix::io::Errno;
 use crate::fmu::{Datum, Fmu};
 use crate::message::{self, Beginning, Order, Reply};
 
-/// How long an instance may take to terminate.
+/// Time allowed for an instance to terminate.
 const FAREWELL: Duration = Duration::from_secs(5);
 
 /// An instance in a child process. Dropping it terminates the instance and ends the process.
 ///
-/// Orders and answers go through two pipes, which cost half of what a socket does, a message each
-/// way a step. A step can be [begun](Remote::begin_step) before its end is waited for, so that the
-/// instances of several processes compute at once.
+/// Orders and replies go through two pipes, at half the cost of a socket, with one message each way per
+/// step. A step can be [begun](Remote::begin_step) without waiting for its end, so that the instances
+/// of several processes compute in parallel.
 pub struct Remote {
     child: Child,
     orders: PipeWriter,
     answers: BufReader<Patient>,
-    /// Whether an order is not answered yet.
+    /// Whether a reply is outstanding.
     asked: bool,
     dead: bool,
 }
 
-/// A pipe that is waited for so long and no longer.
+/// A pipe that is read with a timeout.
 struct Patient {
     pipe: PipeReader,
     limit: Duration,
@@ -52,8 +52,8 @@ impl Read for Patient {
 }
 
 impl Remote {
-    /// Starts the program, which has to call [`serve`](crate::host::serve), and has it make the instance. A call that
-    /// takes longer than `limit` is given up.
+    /// Starts the program, which has to call [`serve`](crate::host::serve), and makes the instance in
+    /// it. A call that takes longer than `limit` is abandoned.
     ///
     /// # Errors
     /// The program cannot be started, or the FMU cannot be loaded.
@@ -61,11 +61,12 @@ impl Remote {
         let failed = |e: io::Error| format!("starting its process: {e}");
         let (their_orders, orders) = io::pipe().map_err(failed)?;
         let (answers, their_answers) = io::pipe().map_err(failed)?;
-        // Its process group is its own, so that Ctrl-C reaches this process only, which takes the
-        // other down in order.
+        // In its own process group, so that Ctrl-C reaches only this process, which then shuts the
+        // child down in order.
         let child = program.stdin(their_orders).stdout(their_answers).process_group(0).spawn();
         let child = child.map_err(failed)?;
-        // The command has the other ends of the pipes; while they are open no death is seen.
+        // The command holds the other ends of the pipes; while they are open, the child's death goes
+        // unnoticed.
         drop(program);
         let answers = BufReader::new(Patient { pipe: answers, limit });
         let mut remote = Self { child, orders, answers, asked: false, dead: false };
@@ -78,7 +79,7 @@ impl Remote {
         self.call(&Order::Initialise(beginning)).unwrap_or_else(Reply::failed)
     }
 
-    /// Begins a step, which goes on while this process does something else.
+    /// Begins a step, which runs while this process does something else.
     ///
     /// # Errors
     /// The process has ended.
@@ -86,8 +87,8 @@ impl Remote {
         self.ask(&Order::Step { from, size, inputs })
     }
 
-    /// Waits for the end of the step that was [begun](Remote::begin_step): what
-    /// [`Instance::step`](crate::instance::Instance::step) answers.
+    /// Waits for the end of the step that was [begun](Remote::begin_step), with the reply of
+    /// [`Instance::step`](crate::instance::Instance::step).
     pub fn end_step(&mut self) -> Reply {
         self.answer().unwrap_or_else(Reply::failed)
     }
@@ -114,10 +115,10 @@ impl Remote {
         message::read(&mut self.answers).map_err(|e| self.ended(&e))
     }
 
-    /// Ends the process, which gives no answer; why, in words.
+    /// Ends a process that gives no reply, and says why.
     fn ended(&mut self, e: &io::Error) -> String {
         self.dead = true;
-        // Where it is slow it has to be ended; else it has ended, and this does nothing.
+        // If it is too slow it has to be killed; otherwise it has exited, and this has no effect.
         let _ = self.child.kill();
         match (e.kind() == io::ErrorKind::TimedOut, self.child.wait()) {
             (true, _) => {
@@ -133,7 +134,7 @@ impl Remote {
 impl Drop for Remote {
     fn drop(&mut self) {
         self.answers.get_mut().limit = FAREWELL;
-        // What it says in the end changes nothing.
+        // A failure at this point changes nothing.
         if self.asked {
             let _ = self.answer();
         }
@@ -145,7 +146,7 @@ impl Drop for Remote {
     }
 }
 
-/// How a process ended.
+/// How a process ended, in words.
 fn died(status: ExitStatus) -> String {
     match (status.signal(), status.code()) {
         (Some(signal), _) => match signal_name(signal) {
@@ -157,7 +158,7 @@ fn died(status: ExitStatus) -> String {
     }
 }
 
-/// Signals that faulty code dies of, by their numbers, which all Unix systems share.
+/// Signals raised by faulty code, by number; these are the same on all Unix systems.
 fn signal_name(signal: i32) -> Option<&'static str> {
     Some(match signal {
         4 => "SIGILL",
@@ -170,8 +171,8 @@ fn signal_name(signal: i32) -> Option<&'static str> {
     })
 }
 
-/// The pipes to the parent process, in the child: stdin and stdout, as [`Remote::load`] made them. The
-/// FMU gets others for these, so that what it reads is empty and what it prints comes to stderr.
+/// The pipes to the parent process, in the child: stdin and stdout, as set up by [`Remote::load`]. They
+/// are replaced, so that the FMU reads an empty stdin and prints to stderr.
 ///
 /// # Errors
 /// Stdin or stdout is closed.

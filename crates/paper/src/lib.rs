@@ -1,4 +1,4 @@
-//! What is about the paper itself: its errata and its figures.
+//! The paper itself: its errata and its figures.
 
 pub mod errata;
 pub mod figures;

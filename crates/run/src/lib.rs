@@ -1,7 +1,7 @@
 //! Scenarios and the engines that run them.
 //!
-//! * [`scenario`]: what is run, from a TOML file or from flags.
-//! * [`simulate`], [`trace`]: step by step. [`fast`]: whole numbers of steps at once.
+//! * [`scenario`]: what to run, from a TOML file or from flags.
+//! * [`simulate`], [`trace`]: step by step. [`fast`]: any number of steps at once.
 //! * [`projection`]: N local machines against the global step. [`swarm`]: millions of drones.
 
 pub mod fast;

@@ -1,9 +1,9 @@
 //! The projection engine: N local machines beside the global protocol.
 //!
-//! The projection theorem (PROTOCOL section 1) says that local machines that exchange their
-//! positions after every tick compute exactly the global `kth_step`. This engine runs both
-//! forms of the spec side by side and reports the first difference; exchanging less often, or
-//! counting against another quotient, shows what the theorem's conditions are for.
+//! The projection theorem (PROTOCOL section 1) says that local machines that exchange their positions
+//! after every tick compute exactly the global `kth_step`. This engine runs both forms of the spec side
+//! by side and reports the first difference; exchanging less often, or counting against another
+//! quotient, shows why the theorem's conditions are needed.
 
 mod own;
 
@@ -21,26 +21,26 @@ use cordon_core::{Error, Rational, Result, progress};
 pub struct Setup {
     /// How many ticks to run.
     pub ticks: u64,
-    /// Ticks from exchange to exchange, at least 1. The theorem is about 1.
+    /// Ticks from one exchange to the next, at least 1. The theorem holds for 1.
     pub exchange_every: u64,
-    /// The quotient that the local machines count against; by default the global counter
-    /// limit, with which the theorem holds.
+    /// The quotient that the local machines count against; by default the global counter limit, for
+    /// which the theorem holds.
     pub ratio: Option<TickRatio>,
 }
 
-/// Both forms after some tick.
+/// The states of both forms after some tick.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pair {
-    /// Ticks made since the start.
+    /// Ticks since the start.
     pub tick: u64,
-    /// Positions of the local machines; of a protocol file all state variables.
+    /// Positions of the local machines; for a protocol file all state variables.
     pub local: Vec<Rational>,
     /// Positions of the global protocol.
     pub global: Vec<Rational>,
 }
 
 impl Pair {
-    /// The first drone whose two positions differ; of a protocol file the first state variable.
+    /// The first drone whose two positions differ; for a protocol file the first state variable.
     pub fn difference(&self) -> Option<usize> {
         self.local.iter().zip(&self.global).position(|(a, b)| a != b)
     }
@@ -49,7 +49,7 @@ impl Pair {
 /// Runs both forms for the given number of ticks.
 ///
 /// # Errors
-/// The protocol is neither coverage nor a protocol file, or machines are never to exchange.
+/// The protocol is neither coverage nor a protocol file, or the machines never exchange.
 pub fn run(scenario: &Scenario, setup: Setup) -> Result<Vec<Pair>> {
     if setup.exchange_every == 0 {
         return Err(Error::input("exchange-every: `0`: expected 1 or more ticks"));
@@ -104,7 +104,7 @@ fn run_own(scenario: &Scenario, own: &Own, setup: Setup) -> Vec<Pair> {
     pairs
 }
 
-/// The machines that agree with the global start, their counters where the phase puts them.
+/// Machines that agree with the global start, with their counters set according to the phase.
 fn machines(
     params: &Params<Rational>,
     local: &LocalParams<Rational>,

@@ -8,14 +8,14 @@ use cordon_spec::formation::exec_formation;
 use crate::scenario::{Protocol, Scenario};
 use cordon_core::Rational;
 
-/// The swarm after some ticks.
+/// The state of the swarm after some ticks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Snapshot {
-    /// Ticks made since the start.
+    /// Ticks since the start.
     pub tick: u64,
     /// Protocol steps so far.
     pub step: u64,
-    /// Placement (of an own protocol the whole state) and tick counter.
+    /// Placement (for a protocol file the whole state) and tick counter.
     pub state: State<Vec<Rational>>,
 }
 

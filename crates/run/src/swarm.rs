@@ -1,8 +1,8 @@
-//! Very large swarms in doubles, with a rigorous bound of how far they are from the exact run.
+//! Very large swarms in doubles, with a rigorous bound on the distance from the exact run.
 //!
-//! The weights are those of the spec. The bound is a forward error analysis of the very loop
-//! that runs: no fused or reordered operations, each of which is off by a factor of at most
-//! 1 + 2^-53 (and by 2^-1074 where a result is subnormal).
+//! The weights are those of the spec. The bound is a forward error analysis of exactly the loop that
+//! runs: its operations, neither fused nor reordered, each have a relative error of at most 2^-53 (and
+//! an absolute one of 2^-1074 where a result is subnormal).
 
 use std::ops::RangeInclusive;
 
@@ -16,34 +16,34 @@ use cordon_core::{Error, Rational, Result, exact, progress};
 /// The unit roundoff of doubles.
 const ROUNDOFF: f64 = 1.0 / (1u64 << 53) as f64;
 
-/// More than the absolute errors of the four operations of an update in the subnormal range.
+/// An upper bound for the absolute errors of the four operations of an update in the subnormal range.
 const TINY: f64 = 1e-320;
 
-/// Numbers of drones that a swarm may have.
+/// Supported numbers of drones.
 pub const DRONES: RangeInclusive<usize> = 3..=100_000_000;
 
-/// A swarm under way.
+/// A swarm during its run.
 #[derive(Clone, Debug)]
 pub struct Swarm {
     positions: Vec<f64>,
     side: f64,
     centre: f64,
-    /// At least the sum of the weights' magnitudes.
+    /// An upper bound for the sum of the weights' magnitudes.
     total: f64,
     steps: u64,
-    /// At least every |position|.
+    /// An upper bound for every |position|.
     largest: f64,
     error: f64,
 }
 
-/// A little more than `x >= 0`: covers the rounding of the few operations that made it.
+/// Slightly more than `x >= 0`: covers the rounding errors of the few operations that led to it.
 fn up(x: f64) -> f64 {
     x * (1.0 + 32.0 * ROUNDOFF) + TINY
 }
 
 impl Swarm {
-    /// The swarm of the coverage protocol with the given start, drone 0 staying at the first
-    /// position and drone N-1 at the last.
+    /// The swarm of the coverage protocol with the given start; drone 0 stays at the first position and
+    /// drone N-1 at the last.
     ///
     /// # Errors
     /// A number of drones out of range, positions or a weight beyond the range of doubles.
@@ -66,7 +66,7 @@ impl Swarm {
         let place = |i: usize| if i + 1 == count { last } else { first + i as f64 * spacing };
         let positions: Vec<f64> = (0..count).map(place).collect();
         let reach = first.abs() + (count as f64 * spacing).abs() + last.abs();
-        // First, spacing, product and sum are each off by one roundoff.
+        // Start, spacing, product and sum each have one rounding error.
         Self::assemble(eps, positions, up(reach), up(4.0 * ROUNDOFF * up(reach)))
     }
 
@@ -83,7 +83,7 @@ impl Swarm {
         if !largest.is_finite() {
             return Err(Error::input("start: expected positions that doubles hold"));
         }
-        // A sum of weights that is exactly 1 stays so.
+        // A sum of weights that is exactly 1 needs no rounding up.
         let total =
             if total == 1.0 && !eps.is_negative() && *eps <= half() { 1.0 } else { up(total) };
         Ok(Self { positions, side, centre, total, steps: 0, largest, error })
@@ -99,13 +99,14 @@ impl Swarm {
         &self.positions
     }
 
-    /// At least the distance of every position from the exact run's. Infinite once positions may
-    /// have left the range of doubles.
+    /// An upper bound for the distance of every position from the exact run. Infinite once positions
+    /// may have left the range of doubles.
     pub fn error(&self) -> f64 {
         self.error
     }
 
-    /// `steps` protocol steps of all drones, on all cores; the result does not depend on them.
+    /// Advances all drones by `steps` protocol steps, on all cores; the result does not depend on their
+    /// number.
     pub fn advance(&mut self, steps: u64) {
         progress::expect(steps);
         let mut next = vec![0.0; self.positions.len()];
@@ -124,9 +125,9 @@ impl Swarm {
         }
     }
 
-    /// What one step does to the bounds. With positions x, true positions X, |x - X| <= e and
-    /// |x| <= m the update `side*(a + c) + centre*b` of rounded weights is off by at most
-    /// `total*e` for its operands and four roundoffs of `total*m` for its own operations.
+    /// The effect of one step on the bounds. With positions x, true positions X, |x - X| <= e and |x|
+    /// <= m, the update `side*(a + c) + centre*b` with rounded weights has an error of at most
+    /// `total*e` from its operands plus four roundoffs of `total*m` from its own operations.
     fn account(&mut self) {
         let own = up(4.0 * ROUNDOFF * up(self.total * self.largest));
         let inherited = if self.total == 1.0 { self.error } else { up(self.total * self.error) };
@@ -138,9 +139,9 @@ impl Swarm {
         }
     }
 
-    /// `steps` steps of the drones `first ..`, as many as `into` holds. The neighbours they
-    /// depend on are stepped along and dropped: a drone at the edge of the window that is no end
-    /// drone goes wrong, and one more with each step.
+    /// `steps` steps of the drones `first ..`, as many as `into` holds. The neighbours that they depend
+    /// on are stepped as well and then dropped: at the edge of the window (unless it is an end drone)
+    /// one more drone becomes wrong with each step.
     fn advance_block(&self, first: usize, into: &mut [f64], steps: usize) {
         let from = first.saturating_sub(steps);
         let to = (first + into.len() + steps).min(self.positions.len());
@@ -153,15 +154,14 @@ impl Swarm {
         into.copy_from_slice(&now[first - from..][..into.len()]);
     }
 
-    /// The smallest gap between neighbours, and a bound of its distance from the exact one.
+    /// The smallest gap between neighbours, and a bound on its error.
     pub fn smallest_gap(&self) -> (f64, f64) {
         let gaps = self.positions.iter().zip(self.positions.iter().skip(1)).map(|(a, b)| b - a);
         let smallest = gaps.fold(f64::INFINITY, f64::min);
         (smallest, up(2.0 * self.error + 4.0 * ROUNDOFF * self.largest))
     }
 
-    /// The largest distance of a drone from its target, and a bound of its distance from the
-    /// exact one.
+    /// The largest distance of a drone from its target, and a bound on its error.
     pub fn largest_deviation(&self) -> (f64, f64) {
         let (Some(&min), Some(&max)) = (self.positions.first(), self.positions.last()) else {
             return (0.0, 0.0);
@@ -170,18 +170,18 @@ impl Swarm {
         let target = |i: usize| min + (max - min) * (i as f64 / gaps);
         let away = self.positions.iter().enumerate().map(|(i, x)| (x - target(i)).abs());
         let largest = away.fold(0.0, f64::max);
-        // The target: ends off by `error`, five operations; then the difference.
+        // The error of a target: that of the ends and of five operations; then that of the difference.
         (largest, up(4.0 * self.error + 24.0 * ROUNDOFF * self.largest))
     }
 }
 
-/// Drones that one task steps at a time: two copies fit a core's cache.
+/// Drones that one task steps at a time, so that two copies fit a core's cache.
 const BLOCK: usize = 8192;
 
 /// Steps that a task does before it writes back.
 const STRIDE: usize = 128;
 
-/// One step of all drones but the first and the last, which stay.
+/// One step of all drones except the first and the last, which stay.
 fn update(next: &mut [f64], now: &[f64], side: f64, centre: f64) {
     let (Some(before), Some(own), Some(after)) =
         (now.get(..now.len() - 2), now.get(1..now.len() - 1), now.get(2..))

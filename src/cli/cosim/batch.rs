@@ -1,4 +1,4 @@
-//! A batch of runs: a table with a row for each.
+//! A batch of runs, as a table with one row per run.
 
 use std::io::Write;
 use std::path::Path;
@@ -14,10 +14,10 @@ use cordon_cosim::record::Record;
 use cordon_cosim::run as engine;
 use cordon_cosim::store::Format;
 
-/// Columns after those of the parameters.
+/// Columns that follow those of the parameters.
 const COLUMNS: [&str; 5] = ["collisions", "order lost", "smallest gap", "at [s]", "off at end"];
 
-/// Flies every run and writes the table: to stdout, and as CSV to `--out`.
+/// Runs the batch and writes the table: to stdout, and as CSV to `--out`.
 pub(super) fn run(
     args: &Args,
     swarm: &Cosimulation,
@@ -36,7 +36,7 @@ pub(super) fn run(
             "format: expected `csv`: a table is what several runs are written as",
         ));
     }
-    // Once more, now that it is known which files the scenario names.
+    // Checked again, now that the files named by the scenario are known.
     args.out.as_deref().map_or(Ok(()), files::expect_writable)?;
     let names = batch.names.iter().map(String::as_str);
     let head: Vec<String> =
@@ -65,8 +65,8 @@ pub(super) fn run(
     broken.map_or(Ok(Outcome::Holds), Err)
 }
 
-/// What came of a run: collisions, losses of the order, the smallest gap (in the plane: distance) and its
-/// time, and how far the farthest drone is from its desired position in the end.
+/// The results of a run: collisions, losses of the order, the smallest gap (in the plane: distance) and
+/// its time, and the largest distance of a drone from its desired position at the end.
 fn outcome(record: &Record) -> [String; COLUMNS.len()] {
     let count = |kind| {
         let events = record.events.iter().flatten();

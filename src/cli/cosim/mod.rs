@@ -95,7 +95,7 @@ pub enum Compat {
 }
 
 impl FlightArgs {
-    /// Refuses these flags where a run that was flown already is read from a file.
+    /// Refuses these flags where a recorded run is read from a file.
     ///
     /// # Errors
     /// One of them is given.
@@ -109,7 +109,7 @@ impl FlightArgs {
         }
     }
 
-    /// Refuses some of these flags, by name.
+    /// Refuses the flags with these names.
     ///
     /// # Errors
     /// One of them is given.
@@ -120,7 +120,7 @@ impl FlightArgs {
         }
     }
 
-    /// Whether foreign FMUs fly in processes of their own.
+    /// Where FMUs of other tools run: in separate processes or in this one.
     fn isolation(&self) -> Result<Isolation> {
         if self.in_process {
             return Ok(Isolation::InProcess);
@@ -162,8 +162,8 @@ impl FlightArgs {
         self.swarm_exchanging(scenario, "exact")
     }
 
-    /// As [`Self::swarm`]; where neither the scenario nor a flag says how positions travel, they
-    /// travel so.
+    /// As [`Self::swarm`]; where neither the scenario nor a flag says how positions travel, they travel
+    /// as `exchange`.
     ///
     /// # Errors
     /// The scenario cannot be read, or a field is wrong.
@@ -203,7 +203,7 @@ impl FlightArgs {
     }
 }
 
-/// Flies a scenario or a batch, and prints what came of it.
+/// Runs a scenario or a batch, and prints the results.
 pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let out_format = args.out.as_deref().map(|path| args.format_of(path)).transpose()?;
     let mut swarm = args.flight.swarm(&args.scenario)?;
@@ -215,7 +215,7 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         return Err(Error::input("exact: expected units of this program: FMUs compute in doubles"));
     }
     if let (Some(path), Some(format)) = (&args.out, out_format) {
-        // Once more, now that it is known which files the scenario names.
+        // Checked again, now that the files named by the scenario are known.
         store::written(path, format).iter().try_for_each(|file| files::expect_writable(file))?;
     }
     if args.progress {
@@ -241,23 +241,23 @@ pub(in crate::cli) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
             out.write_all(&about)?;
         }
         (None, Some(format)) => {
-            // stdout carries the run alone.
+            // stdout carries only the run.
             store::save(&record, format, Path::new(files::STREAM))?;
             eprint_all(&about);
         }
         (_, None) => out.write_all(&about)?,
     }
-    // What was flown until a unit failed is written, and marked; the failure stays one.
+    // The run up to a unit's failure is written, and marked; the command still fails.
     ended.map(|()| Outcome::Holds)
 }
 
 fn eprint_all(text: &[u8]) {
-    // Nothing is left to be done where stderr is closed.
+    // If stderr is closed there is nothing left to do.
     let _ = Printable(std::io::stderr()).write_all(text);
 }
 
 impl Args {
-    /// The form of the run file: as asked for, or as its name says.
+    /// The format of the run file: as requested, or by the file's name.
     fn format_of(&self, path: &Path) -> Result<Format> {
         match (self.format.or(Format::of(path)), path.extension()) {
             (Some(format), _) => Ok(format),

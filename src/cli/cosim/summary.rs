@@ -1,4 +1,4 @@
-//! A run in words: where the drones are every few seconds, and what happened to them.
+//! A run in words: the positions of the drones every few seconds, and the events.
 
 use std::io::Write;
 
@@ -9,14 +9,14 @@ use cordon_cosim::collision::{Event, EventKind};
 use cordon_cosim::physics::Body;
 use cordon_cosim::record::Record;
 
-/// Rows of the table, about.
+/// Approximate number of rows of the table.
 const ROWS: usize = 10;
 
-/// Events that are listed; the rest is counted.
+/// Most events listed; the others are counted.
 const LISTED: usize = 12;
 
-/// Writes a table of desired and actual positions, the events and the smallest gap, beside what is
-/// known of it.
+/// Writes a table of desired and actual positions, the events and the smallest gap, together with the
+/// certified one, `known`.
 ///
 /// # Errors
 /// `out` cannot be written.
@@ -100,7 +100,7 @@ fn events(record: &Record, out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
-/// The smallest gap of neighbours at the grid points, or in the plane the smallest distance.
+/// Writes the smallest gap of neighbours at the grid points, or in the plane the smallest distance.
 fn smallest_gap(record: &Record, known: Option<&Rational>, out: &mut dyn Write) -> Result<()> {
     let only = Evidence::ThisRunOnly;
     let Some(Least { size, drones: (i, j), row }) = least(record) else { return Ok(()) };
@@ -117,7 +117,7 @@ fn smallest_gap(record: &Record, known: Option<&Rational>, out: &mut dyn Write) 
     Ok(())
 }
 
-/// How near two drones came, and when.
+/// The smallest distance of two drones, and when.
 #[derive(Clone, Copy)]
 pub struct Least {
     /// The gap, or in the plane the distance, in m.
@@ -128,8 +128,8 @@ pub struct Least {
     pub row: usize,
 }
 
-/// The smallest gap of neighbours at the grid points, or in the plane the smallest distance of any two;
-/// `None` where nobody looked for collisions.
+/// The smallest gap of neighbours at the grid points, or in the plane the smallest distance of any two
+/// drones; `None` where collisions were not searched for.
 pub fn least(record: &Record) -> Option<Least> {
     record.events.as_ref()?;
     match &record.y {
@@ -156,7 +156,7 @@ fn nearest(record: &Record, across: &[f64]) -> Option<Least> {
             for (j, (x_j, y_j)) in drones.iter().skip(place + 1) {
                 let gap = **x_j - **x_i;
                 if least.is_some_and(|l| gap >= l.size) {
-                    // Those farther along x are farther off.
+                    // Those further along x are further away.
                     break;
                 }
                 let size = gap.hypot(**y_j - **y_i);

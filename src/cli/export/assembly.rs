@@ -30,7 +30,7 @@ pub struct ExportArgs {
 }
 
 fn assembly(args: &ExportArgs, format: Format) -> Result<(Assembly, FmiVersion, Vec<u8>)> {
-    // Not every tool connects texts, and some read them as empty in silence.
+    // Not every tool can connect strings, and some silently read them as empty.
     let swarm = args.flight.swarm_exchanging(&args.scenario, "double")?;
     if !args.out.is_dir() {
         files::expect_writable(&args.out)?;
@@ -43,11 +43,11 @@ fn assembly(args: &ExportArgs, format: Format) -> Result<(Assembly, FmiVersion, 
     Ok((assembly, args.fmi.into(), binary::load(args.binary.binary.as_deref())?))
 }
 
-/// Which of the two is written.
+/// The target format.
 #[derive(Clone, Copy)]
 enum Format {
     IntoCps,
-    /// Not every importer sends in the first step what the outputs are then.
+    /// Some importers do not send the initial outputs in the first step.
     Ssp,
 }
 
@@ -61,9 +61,9 @@ pub(super) fn into_cps(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome
     for m in assembly.models() {
         written.push((into_cps::fmu_file(m), package::fmu(m, version, &binary)?));
     }
-    // The multi-model comes last: where it is, its FMUs are.
+    // The multi-model is written last: if it exists, its FMUs do.
     written.push((into_cps::FILE_NAME.to_owned(), text));
-    // Before the first is written, in the place of a file that the scenario names.
+    // Checked before the first file is written: none may replace a file named by the scenario.
     written.iter().try_for_each(|(name, _)| files::expect_writable(&args.out.join(name)))?;
     std::fs::create_dir_all(&args.out).map_err(|e| Error::file("create", &args.out, e))?;
     for (name, content) in &written {

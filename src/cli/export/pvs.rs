@@ -30,7 +30,7 @@ pub struct Args {
     pub out: Option<PathBuf>,
 }
 
-/// Most drones of a scenario theory: its start is a chain of as many conditions.
+/// Most drones of a scenario theory, whose start is a chain of that many conditions.
 const MAX_DRONES: usize = 1_000;
 
 /// Writes the theory to a file or to stdout.

@@ -186,7 +186,7 @@ fn report(query: &Query, model: &Model, out: &mut dyn Write) -> Result<Outcome> 
     }
 }
 
-/// What makes `cordon trace` check the claim, where it is a theorem.
+/// The flags with which `cordon trace` checks the claim, where it is a theorem.
 fn check_flags(query: &Query) -> String {
     match query.claim {
         Conjecture::Theorem(_) => format!(" --check={} --form={}", query.claim, query.form.label()),

@@ -1,4 +1,4 @@
-//! The gaps of a start, and when coverage keeps the smallest one.
+//! The gaps of a start, and the weights for which coverage preserves the smallest one.
 
 use cordon_core::Rational;
 
@@ -8,7 +8,7 @@ pub(super) struct Gap {
     pub(super) after: usize,
 }
 
-/// The smallest gap of two placements, and the size of the largest.
+/// The smallest gap in two placements, and the size of the largest.
 pub(super) fn smallest(desired: &[Rational], actual: &[Rational]) -> (Gap, Rational) {
     let sizes = |x: &[Rational]| -> Vec<Rational> { x.windows(2).map(|x| &x[1] - &x[0]).collect() };
     let (desired, actual) = (sizes(desired), sizes(actual));
@@ -19,9 +19,9 @@ pub(super) fn smallest(desired: &[Rational], actual: &[Rational]) -> (Gap, Ratio
     (Gap { size, after }, largest)
 }
 
-/// The largest weight with which no step lowers the smallest gap or raises the largest: each gap
-/// is then a mean of itself and those beside it. A drone that has no neighbour that moves at the
-/// same time may take the whole weight.
+/// The largest weight for which no step lowers the smallest gap or raises the largest: each gap is then
+/// a mean of itself and its neighbours. If no neighbour of a moving drone moves at the same time, the
+/// weight may be 1.
 pub(super) fn most_weight(count: usize, one_by_one: bool) -> Rational {
     let alone = count == 3 || one_by_one;
     Rational::new(1.into(), if alone { 1 } else { 2 }.into())

@@ -44,7 +44,7 @@ pub struct Args {
     format: OutputFormat,
 }
 
-/// What is known of the gaps of a scenario in flight.
+/// The results about the gaps of a scenario in flight.
 struct Report<'s> {
     swarm: &'s Cosimulation,
     /// The smallest gap of the start, desired or actual, and the largest.
@@ -52,28 +52,28 @@ struct Report<'s> {
     largest: Rational,
     wind: Option<Wind>,
     flight: Flight,
-    /// What no gap falls below, if that is positive or not; `None` where nothing is known.
+    /// A lower bound for all gaps, positive or not; `None` where nothing is known.
     gap: Option<Rational>,
     evidence: Evidence,
     files: Vec<String>,
     certificates: usize,
 }
 
-/// Wind, and what it costs of every gap, if that is known.
+/// The wind, and by how much it can reduce a gap, if that is known.
 struct Wind {
     most: Rational,
     costs: Option<Rational>,
-    /// Whether it costs no less: steady winds from either side do.
+    /// Whether that is sharp: steady winds from both sides attain it.
     is_exact: bool,
 }
 
-/// How desired gaps become actual ones.
+/// The relation of actual gaps to desired ones.
 enum Flight {
-    /// Bodies fly on convex combinations of desired positions.
+    /// Drones fly along convex combinations of desired positions.
     Convex(Cone),
-    /// By combinations with some negative weights.
+    /// Drones fly along combinations with some negative weights.
     Partly(Negative, Box<Mass>),
-    /// Neither is proved; a negative sample where one was found.
+    /// Neither is proved; with a negative sample if one was found.
     Unknown(Option<Negative>),
 }
 
@@ -104,8 +104,8 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     })
 }
 
-/// The gap that no two drones fall below, where `cordon separation` finds one at once: where the
-/// response is never negative.
+/// A lower bound for all gaps, if `cordon separation` finds it immediately: where the response is never
+/// negative.
 pub(super) fn known_gap(swarm: &Cosimulation) -> Option<Rational> {
     let one_by_one = swarm.order.is_some();
     if expect_exact(swarm).is_err()
@@ -130,7 +130,7 @@ fn expect_exact(swarm: &Cosimulation) -> Result<()> {
     }
 }
 
-/// Refuses what nothing is known about.
+/// Refuses scenarios outside the theory.
 fn applies(swarm: &Cosimulation) -> Result<()> {
     let Protocol::Coverage { .. } = &swarm.scenario.protocol else {
         return Err(Error::input(format!(
@@ -153,7 +153,7 @@ fn applies(swarm: &Cosimulation) -> Result<()> {
     Ok(())
 }
 
-/// A report, with the certificates by their names.
+/// A report, with the certificates by name.
 struct Judged<'s> {
     report: Report<'s>,
     certificates: Vec<(String, Value)>,
@@ -188,14 +188,14 @@ fn judged(swarm: &Cosimulation, wind: Option<Rational>) -> Result<Judged<'_>> {
     for (name, page) in std::mem::take(&mut certificates) {
         match certificate::judged(&page) {
             Ok(_) => certificates.push((name, page)),
-            // Beyond what the checker reads.
+            // Beyond the limits of the checker.
             Err(Error::Input(_)) => evidence = Evidence::Inductive,
             Err(e) => return Err(e),
         }
     }
     let two = Rational::from_integer(2.into());
     let wind = wind.map(|most| {
-        // A steady wind of 1 m/s2 carries a drone as far as the trim says.
+        // A steady wind of 1 m/s2 displaces a drone by as much as the trim state.
         let shift = match steady {
             true => found.trim.first().cloned(),
             false => carried(&found, swarm),
@@ -234,7 +234,7 @@ fn judged(swarm: &Cosimulation, wind: Option<Rational>) -> Result<Judged<'_>> {
     Ok(Judged { report, certificates })
 }
 
-/// What is known of a flight without wind, from what is known of the response.
+/// The result for a flight without wind, from the result for the response.
 fn still_air(
     found: Finding,
     response: &Response,
@@ -255,8 +255,8 @@ fn still_air(
     Flight::Partly(sample, Box::new(mass))
 }
 
-/// How far a wind of 1 m/s2 carries a drone at most, whichever way it turns: its response without signs.
-/// `None` where no bound of that was found.
+/// The largest displacement of a drone by a varying wind of at most 1 m/s2: the sum of the magnitudes
+/// of its response. `None` where no bound was found.
 fn carried(found: &ClosedLoop, swarm: &Cosimulation) -> Option<Rational> {
     let tau = swarm.grid.tau();
     let of = |push: &Vec<Rational>| {
@@ -265,7 +265,7 @@ fn carried(found: &ClosedLoop, swarm: &Cosimulation) -> Option<Rational> {
     };
     let sum = found.pushes.iter().map(of).sum::<Option<Rational>>()?;
     let mean = sum / Rational::from_integer(found.pushes.len().into());
-    // Between grid points, what the wind does within the step.
+    // Between grid points, add the effect of the wind within the step.
     let within = match swarm.integrator {
         Integrator::Euler => Rational::zero(),
         Integrator::Exact => tau * tau / Rational::from_integer(2.into()),
@@ -273,7 +273,7 @@ fn carried(found: &ClosedLoop, swarm: &Cosimulation) -> Option<Rational> {
     Some(mean * tau + within)
 }
 
-/// Adds a certificate. Where there is none, what was found was judged exactly, by the search alone.
+/// Adds a certificate. Without one, the result rests on the search alone, which decides exactly.
 fn push(all: &mut Vec<(String, Value)>, name: &str, page: Option<Value>, evidence: &mut Evidence) {
     match page {
         Some(page) => all.push((name.to_owned(), page)),
@@ -291,9 +291,9 @@ fn tuning(swarm: &Cosimulation) -> Tuning {
     }
 }
 
-/// What may never be negative, so that a drone flies along convex combinations: its place at and
-/// between grid points, in response to a command, to its start and, with wind, to pushes; and
-/// what is missing from where a steady wind carries it.
+/// The forms that must never be negative for a drone to fly along convex combinations: its position at
+/// and between grid points, in response to a command, to its start and, with wind, to pushes; and its
+/// distance from where a steady wind displaces it.
 fn response(found: &ClosedLoop, wind: bool) -> Response {
     let mut starts = vec![
         ("command".to_owned(), found.command.clone()),

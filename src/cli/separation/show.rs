@@ -1,4 +1,4 @@
-//! What is certified of the gaps, in words and as JSON.
+//! The certified gaps, in words and as JSON.
 
 use std::io::Write;
 
@@ -11,7 +11,7 @@ use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::{Rational, Result};
 use cordon_cosim::plant::Integrator;
 
-/// A bound from below in a few decimals.
+/// A lower bound in a few decimals.
 fn short(x: &Rational) -> String {
     let exact = fraction(x);
     if exact.len() <= 12 {
@@ -21,13 +21,13 @@ fn short(x: &Rational) -> String {
     decimal_string(&((x * &thousand).floor() / thousand), 3)
 }
 
-/// A bound from above in a few decimals.
+/// An upper bound in a few decimals.
 fn above(x: &Rational) -> String {
     let thousand = Rational::from_integer(1000.into());
     decimal_string(&((x * &thousand).ceil() / thousand), 3)
 }
 
-/// Decimal places of the negative mass, which has no more.
+/// Decimal places of the negative mass, which is a multiple of that unit.
 const PLACES: usize = 9;
 
 pub(super) fn text(report: &Report<'_>, out: &mut dyn Write) -> Result<()> {

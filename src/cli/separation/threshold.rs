@@ -33,7 +33,7 @@ pub struct LoopArgs {
     master: Option<String>,
 }
 
-/// Decimal places of the bracket without `--digits`, and the most.
+/// Default number of decimal places of the bracket, and the largest.
 const DIGITS: usize = 2;
 const MOST_DIGITS: usize = 4;
 
@@ -82,7 +82,7 @@ impl LoopArgs {
     }
 }
 
-/// Brackets the gain from which on a response is negative.
+/// Brackets the gain above which a response is negative.
 pub(in crate::cli) fn run(
     flags: &LoopArgs,
     digits: Option<usize>,
@@ -185,7 +185,7 @@ fn as_json(tuning: &Tuning, digits: usize, found: &Bracket, files: &[String]) ->
         "above": found.above.as_ref().map(|side| json!({
             "lambda_p": fraction(&side.gain),
             "evidence": Evidence::Certified,
-            // The first sample, h_1, is the one after the command's own step.
+            // The first sample, h_1, comes after the command's own step.
             "sample": side.found.step + 1,
             "value": decimal_string(&side.found.value, VALUE_PLACES),
         })),

@@ -98,7 +98,7 @@ fn merged(args: &MergeArgs, out: &mut dyn Write) -> Result<Outcome> {
     if args.audit > 0 {
         let seed = options::fresh_seed();
         let drawn = merge::audit(&config, &findings, args.audit, seed)?;
-        // Nothing is left to be done where stderr is closed.
+        // If stderr is closed there is nothing left to do.
         let _ = writeln!(
             std::io::stderr(),
             "audited: {} of {} work items computed anew, all the same (seed {seed})",

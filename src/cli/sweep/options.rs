@@ -1,4 +1,4 @@
-//! What `cordon sweep` is told.
+//! The options of `cordon sweep`.
 
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::io::Write;
@@ -90,7 +90,7 @@ enum Forms {
     Both,
 }
 
-/// Any number: stderr tells which it was.
+/// An arbitrary seed, which is printed to stderr.
 pub(super) fn fresh_seed() -> u64 {
     RandomState::new().build_hasher().finish() >> 32
 }
@@ -98,7 +98,7 @@ pub(super) fn fresh_seed() -> u64 {
 /// Most threads: more than any machine has, few enough to start.
 const MAX_THREADS: usize = 1024;
 
-/// Most steps of a sweep of a protocol of one's own.
+/// Most steps of a sweep of a protocol file.
 const MOST_OWN_STEPS: usize = 1_000;
 
 impl Options {
@@ -136,7 +136,7 @@ impl Options {
         self.shard.as_deref().map_or(Ok(Shard::WHOLE), Shard::parse)
     }
 
-    /// What is tried of a protocol of one's own.
+    /// The extent of a sweep of a protocol file.
     pub(super) fn extent(&self) -> Result<Extent> {
         if self.grid == 0 {
             return Err(Error::input("grid: `0`: expected at least 1"));
@@ -160,18 +160,18 @@ impl Options {
         }
     }
 
-    /// Says on stderr how to draw the same starts again.
+    /// Prints on stderr how to draw the same starts again.
     pub(super) fn say_how_to_repeat(&self, config: &Config) {
         if !matches!(config.starts, StartSpace::Sample { .. }) {
             return;
         }
         let shard = self.shard.as_ref().map_or_else(String::new, |s| format!(" --shard {s}"));
-        // Nothing is left to be done where stderr is closed.
+        // If stderr is closed there is nothing left to do.
         let _ = writeln!(std::io::stderr(), "reproduce: cordon sweep {}{shard}", arguments(config));
     }
 }
 
-/// The arguments of `cordon sweep` that ask for this configuration.
+/// The arguments of `cordon sweep` for this configuration.
 pub(super) fn arguments(config: &Config) -> String {
     let theorems = theorems::numbers(&config.theorems, ",");
     let form = match config.forms.as_slice() {

@@ -14,7 +14,7 @@ use cordon_proof::sweep::summary::{Summary, outcome, summaries};
 use cordon_proof::sweep::{Config, Finding, Judgement, StartSpace, WeightSet};
 use cordon_spec::theorems::Form;
 
-/// Prints what a sweep has found.
+/// Prints the results of a sweep.
 pub(super) fn report(
     header: &Header,
     findings: &[Finding],
@@ -90,7 +90,7 @@ fn text(
     Ok(())
 }
 
-/// Where printed forms alone are refuted: that this was to be expected, and what holds.
+/// Where only printed forms are refuted: a note that this is expected, and what holds instead.
 fn expected(findings: &[Finding], out: &mut dyn Write) -> Result<()> {
     let refuted = || findings.iter().filter(|f| f.verdict == Judgement::Refuted);
     if refuted().next().is_none()
@@ -112,7 +112,7 @@ fn expected(findings: &[Finding], out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
-/// What the table has no room for: the counterexample, or why nothing was decided.
+/// Details beyond the table: the counterexample, or why nothing was decided.
 fn about(claim: &Summary, out: &mut dyn Write) -> Result<()> {
     let name = format!("{} ({} form)", claim.theorem.number(), claim.form.label());
     if let Some(c) = &claim.counterexample {

@@ -1,5 +1,5 @@
-//! Progress on stderr, rate and time left; nothing where stderr is no terminal, but for one
-//! line at the end.
+//! Progress on stderr with rate and time left; where stderr is not a terminal, only one line at the
+//! end.
 
 use std::io::Write;
 use std::sync::mpsc::{RecvTimeoutError, channel};
@@ -12,7 +12,7 @@ use cordon_core::Result;
 use cordon_proof::sweep::run::Progress;
 use cordon_proof::sweep::{Config, StartSpace};
 
-/// The unit in which progress counts.
+/// The unit of progress.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum WorkUnit {
     DroneUpdates,
@@ -32,10 +32,10 @@ impl WorkUnit {
     }
 }
 
-/// How often the bar is drawn.
+/// Refresh interval.
 const REFRESH: Duration = Duration::from_millis(200);
 
-/// Runs `job` while a bar shows how far it is.
+/// Runs `job` with a progress bar.
 pub(super) fn watched(
     progress: &Progress,
     total: u64,
@@ -44,7 +44,7 @@ pub(super) fn watched(
     job: impl FnOnce() -> Result<()>,
 ) -> Result<()> {
     if resumed > 0 {
-        // Nothing is left to be done where stderr is closed; so below.
+        // If stderr is closed there is nothing left to do; likewise below.
         let _ = writeln!(std::io::stderr(), "resumed: {resumed} work items were finished before");
     }
     progress::shown_elsewhere();
@@ -87,7 +87,7 @@ pub(super) fn watched(
     result
 }
 
-/// A rate for people.
+/// A rate in readable form.
 fn per_second(rate: f64) -> String {
     if rate >= 1e6 {
         format!("{:.0} million a second", rate / 1e6)
@@ -96,8 +96,8 @@ fn per_second(rate: f64) -> String {
     }
 }
 
-/// The bar's rate: of covered work.
+/// The rate of covered work, for the bar.
 fn shown_rate(state: &ProgressState, to: &mut dyn std::fmt::Write) {
-    // A bar that cannot be drawn is no fault of the sweep.
+    // Failing to draw the bar does not fail the sweep.
     let _ = write!(to, "{}", per_second(state.per_sec()));
 }

@@ -1,4 +1,4 @@
-//! The critical weight of ordering where messages are late: one bracket, or a table of them.
+//! The critical weight of ordering when messages are late: one bracket, or a table of them.
 
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -13,16 +13,16 @@ use cordon_core::{Error, Evidence, Outcome, Result, progress, range};
 use cordon_proof::certificate;
 use cordon_proof::threshold::late::{Bracket, WORK, bracket};
 
-/// Most decimal places: each takes three or four searches more.
+/// Most decimal places: each takes three or four more searches.
 const MOST_DIGITS: usize = 4;
 
-/// Most drones: of more the search proves nothing in such time.
+/// Most drones: for more, the search proves nothing in the same time.
 const MOST_DRONES: usize = 20;
 
-/// Most steps that a message may be late.
+/// Largest delay of a message, in steps.
 const LONGEST: usize = 20;
 
-/// Brackets the critical weight for every number of drones and delay.
+/// Brackets the critical weight for every combination of number of drones and delay.
 pub(super) fn run(args: &Args, drones: &str, delay: &str, out: &mut dyn Write) -> Result<Outcome> {
     let digits = args.digits.unwrap_or(2);
     if !(1..=MOST_DIGITS).contains(&digits) {
@@ -72,7 +72,7 @@ pub(super) fn run(args: &Args, drones: &str, delay: &str, out: &mut dyn Write) -
     })
 }
 
-/// The certificates of both sides, by the names of their files.
+/// The certificates of both sides, by file name.
 fn certificates(cell: &Bracket) -> Vec<Named> {
     let name = |side: &str| format!("ordering-{}-late-{}-{side}", cell.count, cell.longest);
     let below = cell.kept.iter().map(|kept| (name("below"), kept.certificate.clone()));

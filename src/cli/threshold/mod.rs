@@ -77,13 +77,13 @@ impl Property {
     }
 }
 
-/// Most drones whose start is written out in the text.
+/// Most drones for which the start is written out in the text.
 const READABLE: usize = 12;
 
 /// A certificate with the name of its file.
 type Named = (String, Value);
 
-/// Finds the critical weight.
+/// Finds the critical weight or parameter.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let own_system = args.own.system()?;
     let unused =
@@ -133,12 +133,12 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
 }
 
 impl Args {
-    /// The property, which is given where no protocol file is.
+    /// The property, which is present unless a protocol file is given.
     fn property(&self) -> Property {
         self.property.unwrap_or(Property::Ordering)
     }
 
-    /// Refuses what is no number of drones.
+    /// Refuses anything other than a single number in `--drones`.
     fn drones_alone(&self) -> Result<()> {
         match self.drones.as_deref().map(|text| (text, text.parse::<usize>())) {
             Some((text, Err(_))) => Err(Error::input(format!(
@@ -158,7 +158,7 @@ impl Args {
     }
 }
 
-/// Most decimal places of a bracket of an own protocol: every one takes some proofs.
+/// Most decimal places of a bracket for a protocol file: each takes some proofs.
 const MOST_OWN_DIGITS: usize = 50;
 
 fn own(args: &Args, system: &System, out: &mut dyn Write) -> Result<Outcome> {
@@ -224,7 +224,7 @@ fn keep(args: &Args, cone: Cone, out: &mut dyn Write) -> Result<Outcome> {
     Ok(Outcome::Holds)
 }
 
-/// How many certificates the checker has accepted, and what it takes beyond its size.
+/// A line on the accepted certificates; beyond the size limit of the safe side, with the command for it.
 fn certified(number: usize, drones: usize) -> String {
     if number == 1 && drones > invariance::MOST {
         return format!(
@@ -282,7 +282,7 @@ fn affine_text(constant: &str, slope: &str) -> String {
 }
 
 fn converge(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    // The search is as long as the check of both certificates, about.
+    // The search takes about as long as the check of both certificates.
     progress::expect(4);
     let found = convergence::bracket(args.drones(), args.digits());
     progress::advance(2);
@@ -371,7 +371,7 @@ impl Args {
     }
 }
 
-/// Has the certificates checked and writes them; the files.
+/// Has the certificates checked and writes them; returns the files.
 fn judged_and_written(args: &Args, certificates: &[Named]) -> Result<Vec<String>> {
     for (_, found) in certificates {
         certificate::judged(found)?;

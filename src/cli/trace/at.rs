@@ -1,4 +1,4 @@
-//! `cordon trace --at`: chosen steps, without the steps between.
+//! `cordon trace --at`: chosen steps, without the steps in between.
 
 use std::io::Write;
 
@@ -55,7 +55,7 @@ pub enum Method {
 }
 
 impl Method {
-    /// The exact engine, if it is one.
+    /// The exact engine; `None` for `Digits`.
     fn exact(self) -> Option<Engine> {
         match self {
             Self::Auto => Some(Engine::Auto),
@@ -66,10 +66,10 @@ impl Method {
     }
 }
 
-/// What certain digits rest on.
+/// The evidence for certain digits.
 const EVIDENCE: &str = "enclosed in fixed point, every digit certain";
 
-/// Forms of a table of certain digits.
+/// Output formats of certain digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// Aligned columns.
@@ -80,10 +80,10 @@ pub enum Shape {
     Json,
 }
 
-/// Rows, and the check against the spec where one was wanted.
+/// Rows, and the check against the spec if requested.
 pub type Exact = (Vec<Row>, Option<Verification>);
 
-/// The rows of the chosen steps, exact; `None` where only digits are wanted.
+/// The exact rows of the chosen steps; `None` where only digits are requested.
 pub fn exact(scenario: &Scenario, args: &AtArgs, seed: Option<u64>) -> Result<Option<Exact>> {
     let Some(chosen) = args.engine.exact() else { return Ok(None) };
     let last = args.at.iter().copied().max().unwrap_or(0);
@@ -113,7 +113,7 @@ fn tick_of(scenario: &Scenario, k: u64) -> Result<(u64, u32)> {
     }
 }
 
-/// Compares with the spec and says so on stderr.
+/// Compares with the spec and reports the result on stderr.
 fn cross_check(
     scenario: &Scenario,
     answers: &[Answer],
@@ -150,7 +150,7 @@ fn report(found: &Verification) -> String {
     }
 }
 
-/// Writes the chosen steps with as many certain digits as were asked for.
+/// Writes the chosen steps with the requested number of certain digits.
 pub fn certain(
     scenario: &Scenario,
     args: &AtArgs,

@@ -79,7 +79,7 @@ enum Format {
     Itf,
 }
 
-/// Most decimal places: more digits than any use, few enough to print.
+/// Most decimal places: more than any use needs, few enough to print.
 pub(in crate::cli) const MAX_DIGITS: usize = 10_000;
 
 /// Prints the trace of a scenario.
@@ -172,7 +172,7 @@ fn claims(list: &str) -> Result<Option<Vec<usize>>> {
     list.split(',').map(number).collect::<Result<_>>().map(Some)
 }
 
-/// Says which theorems are about other starts: below the table, or on stderr.
+/// Reports the theorems that do not apply to this start: below the table, or on stderr.
 fn not_applicable(
     args: &Args,
     theorems: &[(Theorem, &'static str)],
@@ -192,12 +192,12 @@ fn not_applicable(
 }
 
 impl Args {
-    /// The scenario; the seed draws the choices that a protocol file leaves.
+    /// The scenario; the seed draws the choices that a protocol file leaves open.
     fn seeded(&self) -> Result<Scenario> {
         if self.seed.is_none() {
             return self.scenario.scenario();
         }
-        // A seed of random primes alone leaves the run as it is.
+        // A seed that is used for random primes only does not affect the run.
         let drawn = self.scenario.drawn(self.seed);
         if self.at.verify.is_some() && !drawn.as_ref().is_ok_and(has_choices) {
             return self.scenario.scenario();
@@ -210,7 +210,7 @@ impl Args {
         }
     }
 
-    /// Decimal places of rounded numbers.
+    /// Number of decimal places.
     fn places(&self) -> usize {
         self.digits.unwrap_or(4)
     }
@@ -220,18 +220,18 @@ fn has_choices(scenario: &Scenario) -> bool {
     scenario.own().is_some_and(Own::has_choices)
 }
 
-/// What was checked of a trace.
+/// The checks made on a trace.
 #[derive(Clone, Copy)]
 struct Checks<'c> {
     /// Theorems, along the run.
     along: &'c [Checked],
     /// Claims of a protocol file, along the run.
     claims: &'c [CheckedClaim],
-    /// The positions, against the plain spec.
+    /// The comparison of positions with the plain spec.
     verified: Option<&'c Verification>,
 }
 
-/// Writes the trace in the wanted form.
+/// Writes the trace in the requested format.
 fn print(
     args: &Args,
     scenario: &Scenario,

@@ -45,7 +45,7 @@ pub struct Args {
     pub out: Option<PathBuf>,
 }
 
-/// Has Kani check the harnesses, or lists them.
+/// Runs Kani on the harnesses, or lists them.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if args.list {
         return list(args, out);
@@ -64,7 +64,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let report = match report {
         Ok(report) => report,
         Err(NotRun(why)) => {
-            // The result is that there is none: said where it is not taken for one.
+            // There is no result, so nothing may appear where results are read.
             writeln!(std::io::stderr(), "not run: {why}")?;
             return Ok(Outcome::Inconclusive);
         }

@@ -63,7 +63,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let tiers = chosen(&Context { root: &args.root, run: &requested }, &wanted);
     let matrix = collect(&args.root, &tiers, &records, &theorems, |tier| {
         if std::io::stderr().is_terminal() {
-            // Nothing is lost where stderr is closed.
+            // If stderr is closed nothing is lost.
             let _ = writeln!(std::io::stderr(), "verify: {tier}");
         }
     });
@@ -80,7 +80,7 @@ fn chosen(context: &Context<'_>, wanted: &[String]) -> Vec<Box<dyn Tier>> {
     tiers
 }
 
-/// The tiers of a list.
+/// The tiers in a list.
 fn names(flag: &str, list: &str) -> Result<Vec<String>> {
     if list.trim() == "all" {
         return Ok(NAMES.map(str::to_owned).to_vec());

@@ -1,22 +1,21 @@
-//! What a run of the model checker may take.
+//! Resource limits of a run of the model checker.
 
 use std::num::NonZero;
 use std::thread::available_parallelism;
 
-/// What a run may take.
+/// The resource limits of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// Harnesses at a time.
+    /// Number of harnesses in parallel.
     pub jobs: usize,
-    /// Most seconds for each harness.
+    /// Time limit of each harness, in seconds.
     pub seconds: u64,
-    /// Memory for each, in MiB of address space.
+    /// Memory limit of each harness, in MiB of address space.
     pub mebibytes: u64,
 }
 
 impl Limits {
-    /// These limits; where no number of jobs is wanted, a job for each processor, as far as each
-    /// finds its memory free.
+    /// These limits; without a number of jobs, one job per processor as far as the free memory allows.
     pub fn allowed(jobs: Option<usize>, seconds: u64, mebibytes: u64) -> Self {
         let jobs = jobs.unwrap_or_else(|| {
             let processors = available_parallelism().map_or(1, NonZero::get);
@@ -27,13 +26,13 @@ impl Limits {
     }
 }
 
-/// As many jobs as processors, as far as the free memory goes; one where it is not known.
+/// One job per processor, as far as the free memory allows; one if that is unknown.
 fn fitting(processors: usize, free_mebibytes: Option<u64>, mebibytes: u64) -> usize {
     let jobs = free_mebibytes.map_or(1, |free| free / mebibytes.max(1));
     usize::try_from(jobs).unwrap_or(usize::MAX).clamp(1, processors.max(1))
 }
 
-/// The MiB that Linux says are available.
+/// The available memory in MiB, as reported by Linux.
 fn available(meminfo: &str) -> Option<u64> {
     let line = meminfo.lines().find_map(|l| l.strip_prefix("MemAvailable:"))?;
     let kibibytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;

@@ -1,9 +1,8 @@
-//! Bounded model checking: finds Kani, has it check the harnesses of `kani/`, and reads what
-//! came of each.
+//! Bounded model checking: finds Kani, runs it on the harnesses of `kani/`, and reads the results.
 //!
-//! The list of harnesses is the crate's own ([`cordon_kani::all`]). A harness that Kani does not
-//! report, or reports without being asked, is a failure as much as one that it refutes; so is one
-//! whose cover is not met, which Kani itself lets pass.
+//! The list of harnesses is that of the crate ([`cordon_kani::all`]). A harness that Kani does not
+//! report, or reports unasked, is a failure just like one that it refutes; so is one with an
+//! unsatisfied cover, which Kani itself accepts.
 
 pub mod limits;
 pub mod report;
@@ -26,26 +25,26 @@ use self::tool::Kani;
 use crate::verify::sources;
 use cordon_core::{Error, Result, files};
 
-/// What a run is about: a change of these makes its record stale.
+/// The sources of a run: its record is stale when they change.
 pub const SOURCES: [&str; 2] = ["spec/src", "kani/src"];
 
-/// Where Kani builds and writes, below the root.
+/// Kani's build folder, below the root.
 const TARGET: &str = "target/cordon-kani";
 
-/// Where, below its target folder, it writes a file for each harness (Kani's choice).
+/// The folder in it where Kani writes one file per harness (a name chosen by Kani).
 const RESULTS: &str = "result_output_dir";
 
 /// Why nothing was run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotRun(pub String);
 
-/// The harnesses whose names contain one of the filters; all where there is none.
+/// The harnesses whose names contain one of the filters; all if there are no filters.
 pub fn selected(filters: &[String]) -> Vec<&'static Harness> {
     let wanted = |h: &&Harness| filters.is_empty() || filters.iter().any(|f| h.name.contains(f));
     cordon_kani::all().filter(wanted).collect()
 }
 
-/// Has Kani check the harnesses that the filters select.
+/// Runs Kani on the harnesses that the filters select.
 ///
 /// # Errors
 /// No harness is selected, or a file or process of the run cannot be read or started.
@@ -62,11 +61,11 @@ pub fn run(
             "`{filters}`: expected parts of the names of harnesses, as `cargo xtask kani --list` shows them"
         )));
     }
-    // Hashed before the run: what changes meanwhile makes the record stale.
+    // Hashed before the run: a change in the meantime makes the record stale.
     let sources = sources::hash(root, &SOURCES).ok();
     let folder = root.join(TARGET);
     let results = folder.join(RESULTS);
-    // What an earlier run left is no result of this one.
+    // Results of an earlier run must not be taken for results of this one.
     if results.exists() {
         std::fs::remove_dir_all(&results).map_err(|e| Error::file("remove", &results, e))?;
     }
@@ -80,11 +79,11 @@ pub fn run(
     Ok(Ok(Report { kani: kani.clone(), date, sources, limits, harnesses, unexpected }))
 }
 
-/// Runs `cargo kani` under a limit of memory; what it prints goes to stderr.
+/// Runs `cargo kani` with a memory limit; its output goes to stderr.
 fn start(root: &Path, folder: &Path, filters: &[String], limits: Limits) -> Result<ExitStatus> {
     let progress = io::stderr().as_fd().try_clone_to_owned()?;
     let mut command = Command::new("sh");
-    // A limit that a process sets for itself its children inherit, the solvers among them.
+    // Child processes, the solvers among them, inherit the limit that a process sets for itself.
     command.args(["-c", "ulimit -v \"$1\" && shift && exec \"$@\"", "cordon"]);
     command.arg((limits.mebibytes * 1024).to_string());
     command.args(["cargo", "kani", "--output-into-files", "--output-format", "terse"]);
@@ -98,7 +97,7 @@ fn start(root: &Path, folder: &Path, filters: &[String], limits: Limits) -> Resu
     command.status().map_err(|e| Error::file("start", Path::new("sh"), e))
 }
 
-/// The text of each harness's file.
+/// The text of each harness's result file.
 fn read(folder: &Path) -> Result<BTreeMap<String, String>> {
     let mut found = BTreeMap::new();
     if !folder.is_dir() {
@@ -113,7 +112,7 @@ fn read(folder: &Path) -> Result<BTreeMap<String, String>> {
     Ok(found)
 }
 
-/// Holds what was reported against what was expected: the harnesses, and what nobody asked for.
+/// Compares the reported harnesses with the selected ones; also returns those reported unasked.
 fn compare(
     expected: &[&'static Harness],
     mut reported: BTreeMap<String, String>,

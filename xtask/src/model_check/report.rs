@@ -1,4 +1,4 @@
-//! What came of a run, for people and as JSON.
+//! The report of a run, as text and as JSON.
 
 use std::io::Write;
 
@@ -13,29 +13,29 @@ use cordon_core::{Error, Outcome, Result};
 /// Version of the JSON.
 const SCHEMA: &str = "cordon-kani/1";
 
-/// A harness with what was found of it.
+/// A harness with its result.
 #[derive(Clone, Debug)]
 pub struct Checked {
     /// The harness, as the crate `cordon-kani` lists it.
     pub harness: &'static Harness,
-    /// What Kani's report of it amounts to.
+    /// The result, read from Kani's report.
     pub finding: HarnessResult,
 }
 
-/// What one run of Kani came to.
+/// The result of one run of Kani.
 #[derive(Clone, Debug)]
 pub struct Report {
     /// The Kani that ran, with its version.
     pub kani: Kani,
     /// When, in UTC: `2026-01-31`.
     pub date: String,
-    /// Hash of the sources that it ran for, where they are there.
+    /// Hash of the sources that were checked, if they are present.
     pub sources: Option<String>,
-    /// What it might take.
+    /// The limits of the run.
     pub limits: Limits,
-    /// Every harness that was asked for.
+    /// All selected harnesses.
     pub harnesses: Vec<Checked>,
-    /// Harnesses that were reported and not asked for.
+    /// Harnesses that were reported without having been selected.
     pub unexpected: Vec<String>,
 }
 
@@ -69,7 +69,7 @@ struct Row<'r> {
     seconds: Option<f64>,
 }
 
-/// What a harness has to come to, in a word.
+/// The expected result of a harness, in a word.
 pub fn expectation(harness: &Harness) -> &'static str {
     match harness.expected {
         Expected::Holds => "holds",
@@ -78,7 +78,7 @@ pub fn expectation(harness: &Harness) -> &'static str {
 }
 
 impl Report {
-    /// The worst of what was found; what nobody asked for is a failure too.
+    /// The worst result; an unexpected harness is a failure too.
     pub fn outcome(&self) -> Outcome {
         let worst = self
             .harnesses
@@ -88,7 +88,7 @@ impl Report {
         if self.unexpected.is_empty() { worst } else { worst.worst(Outcome::Rejected) }
     }
 
-    /// How many harnesses were proved.
+    /// The number of proved harnesses.
     pub fn proved(&self) -> usize {
         self.harnesses.iter().filter(|c| c.finding.verdict == Ending::Proved).count()
     }

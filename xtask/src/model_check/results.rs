@@ -1,4 +1,4 @@
-//! What Kani wrote about one harness.
+//! Parsing Kani's report of one harness.
 
 use cordon_kani::Expected;
 
@@ -11,7 +11,7 @@ pub enum Ending {
     Proved,
     /// A check fails that has to hold, or none fails where one has to.
     Refuted,
-    /// A cover is not met: what was proved may be true of nothing.
+    /// A cover is not satisfied: the proof may be vacuous.
     Vacuous,
     /// The time limit was reached.
     TimedOut,
@@ -52,7 +52,7 @@ impl Ending {
         }
     }
 
-    /// What it contributes to the outcome of a run.
+    /// Its contribution to the outcome of a run.
     pub fn outcome(self) -> Outcome {
         match self {
             Self::Proved => Outcome::Holds,
@@ -63,23 +63,23 @@ impl Ending {
     }
 }
 
-/// What was found of a harness.
+/// The result of a harness.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HarnessResult {
     /// What Kani found.
     pub verdict: Ending,
-    /// What is wrong, in words; empty where nothing is.
+    /// What is wrong, in words; empty if nothing is.
     pub detail: String,
-    /// Checks made, the covers aside.
+    /// Number of checks, not counting covers.
     pub checks: usize,
-    /// Covers met, and covers.
+    /// Covers satisfied, and covers in all.
     pub covers: (usize, usize),
-    /// Seconds that the model checker took, where it says so.
+    /// Time that the model checker took in seconds, if reported.
     pub seconds: Option<f64>,
 }
 
 impl HarnessResult {
-    /// Of a harness without a report.
+    /// The result of a harness without a report.
     pub fn missing() -> Self {
         Self {
             verdict: Ending::Missing,
@@ -113,7 +113,7 @@ pub fn read(text: &str, expected: Expected) -> HarnessResult {
     let (covers, asserted): (Vec<_>, Vec<_>) = checks.iter().partition(|c| c.is_cover());
     let met = covers.iter().filter(|c| c.status == "SATISFIED").count();
     let failed: Vec<_> = asserted.iter().filter(|c| c.status == "FAILURE").collect();
-    // A failing loop bound leaves others undetermined; then nothing is proved.
+    // If a loop bound fails, other checks remain undetermined; then nothing is proved.
     let open = asserted
         .iter()
         .any(|c| !matches!(c.status.as_str(), "SUCCESS" | "FAILURE" | "UNREACHABLE"));
@@ -223,10 +223,10 @@ Verification Time: 2.5s
         let failing = failing.replace("VERIFICATION:- SUCCESSFUL", "VERIFICATION:- FAILED");
         assert_eq!(verdict(&failing, Expected::Holds), Ending::Refuted);
         assert!(read(&failing, Expected::Holds).detail.contains("add with overflow"));
-        // A failure that Kani would let pass.
+        // A failure that Kani itself would accept.
         let lenient = PROVED.replace("Status: SUCCESS", "Status: FAILURE");
         assert_eq!(verdict(&lenient, Expected::Holds), Ending::Refuted);
-        // Its closing line alone.
+        // Only the closing line differs.
         let closing = PROVED.replace("VERIFICATION:- SUCCESSFUL", "VERIFICATION:- FAILED");
         assert_eq!(verdict(&closing, Expected::Holds), Ending::Refuted);
         let cut = PROVED.split("SUMMARY").next().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! HarnessResult Kani, and the versions that the harnesses are written for.
+//! Finding Kani, and the versions that the harnesses are written for.
 
 use std::fmt;
 use std::process::{Command, Stdio};
@@ -13,7 +13,7 @@ const HOW: &str = "install it with `cargo install --locked kani-verifier --versi
                    `cargo kani setup`, or set it up with \
                    `cargo run -p cordon-kani --example kani -- setup` (kani/README.md)";
 
-/// Kani, as it is installed here.
+/// The installed Kani.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kani {
     /// Its version, as `0.67.0`.
@@ -27,10 +27,10 @@ impl fmt::Display for Kani {
 }
 
 impl Kani {
-    /// The Kani that `cargo kani` starts, if it is one that the harnesses are written for.
+    /// The Kani that `cargo kani` starts, if it is a supported version.
     ///
     /// # Errors
-    /// There is none, or it is another: with the reason.
+    /// There is none, or another version; the error is the reason.
     pub fn find() -> Result<Self, NotRun> {
         let answer = Command::new("cargo")
             .args(["kani", "--version"])
@@ -44,7 +44,7 @@ impl Kani {
         Self::of(&said)
     }
 
-    /// Reads what `cargo kani --version` prints: `cargo-kani 0.67.0`.
+    /// Parses the output of `cargo kani --version`: `cargo-kani 0.67.0`.
     fn of(said: &str) -> Result<Self, NotRun> {
         let known = SUPPORTED.map(|(major, minor)| format!("{major}.{minor}")).join(" or ");
         let first = said.lines().next().unwrap_or_default().trim();

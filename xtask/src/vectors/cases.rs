@@ -1,5 +1,5 @@
-//! Which evaluations: the shipped scenarios, both phases, ratios that are no integers, small and
-//! large weights, and every other definition for 3 to 7 drones.
+//! The evaluations: the shipped scenarios, both phases, non-integer ratios, small and large weights,
+//! and every other definition for 3 to 7 drones.
 
 use core::num::NonZeroU32;
 
@@ -12,7 +12,7 @@ use cordon_core::Rational;
 /// A fraction as written in the tables.
 type Fraction = (i64, i64);
 
-/// What a series runs.
+/// The model that a series runs.
 #[derive(Clone, Copy)]
 enum Kind {
     Coverage { min: i64, max: i64, n: u32, phase: Phase },
@@ -20,7 +20,7 @@ enum Kind {
     Consensus,
 }
 
-/// Some ks of one run.
+/// A run evaluated at several steps k.
 struct Series {
     name: &'static str,
     kind: Kind,
@@ -40,7 +40,7 @@ const fn paper(n: u32, phase: Phase) -> Kind {
 }
 
 const SERIES: &[Series] = &[
-    // Fig. 8, both readings of the first update.
+    // Fig. 8, with both readings of the first update.
     Series {
         name: "paper_first",
         kind: paper(3, Phase::First),
@@ -179,7 +179,7 @@ fn start(of: &[Fraction; 6], count: usize) -> Vec<Rational> {
     of.iter().take(count - 1).chain([&LAST]).map(|&x| rational(x)).collect()
 }
 
-/// Graphs of at most N drones: a star with a loop, a ring with an edge given twice.
+/// A star with a loop. (The ring below has a duplicate edge.)
 fn star(count: usize) -> Vec<(usize, usize)> {
     (1..count).map(|i| (i, 0)).chain([(1, 1)]).collect()
 }
@@ -188,13 +188,13 @@ fn ring(count: usize) -> Vec<(usize, usize)> {
     (0..count).map(|i| (i, (i + 1) % count)).chain([(1, 0)]).collect()
 }
 
-/// A number for drone i seen by drone j, no two alike nearby.
+/// The i-th of scattered numbers: no two nearby ones are equal.
 fn scattered(i: usize) -> Rational {
     let i = i64::try_from(i).unwrap_or_default();
     rational((7 * i % 11 - 4, 3))
 }
 
-/// Every definition for so many drones.
+/// Every definition for this many drones.
 fn of_count(count: usize) -> Vec<Vector> {
     let p = params(-1, 8, (2, 5), 2);
     let eps = &p.eps;
@@ -231,7 +231,7 @@ fn of_count(count: usize) -> Vec<Vector> {
             rational((9 * i - gaps, gaps))
         })
         .collect();
-    // A hair behind and before the targets, all in the first gap, and an end elsewhere.
+    // Slightly behind and before the targets, all in the first gap, and with an end drone elsewhere.
     let moved = |by: Fraction| {
         let last = targets.len() - 1;
         let internal = |(i, x): (usize, &Rational)| {
@@ -255,7 +255,7 @@ fn of_count(count: usize) -> Vec<Vector> {
     ] {
         all.push(kinds::predicates(&format!("{word}{count}"), &p, x));
     }
-    // Half, and both sides of the critical weights 1, 2/3, 2 - sqrt 2, 0.5528.., 0.5359..
+    // One half, and both sides of the critical weights 1, 2/3, 2 - sqrt 2, 0.5528.., 0.5359..
     for (weight, word) in [
         ((1, 2), "half"),
         ((53, 100), "low"),

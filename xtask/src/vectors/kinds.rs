@@ -1,5 +1,5 @@
-//! The kinds of vectors: what each evaluates, in the order in which the mirrors' definitions of
-//! the same name take their arguments.
+//! The kinds of vectors: what each evaluates, with arguments in the order of the mirrors' definitions
+//! of the same name.
 
 use cordon_spec::activation::exec_coverage_active;
 use cordon_spec::consensus::exec_consensus;
@@ -53,8 +53,8 @@ pub(super) fn coverage(
     Vector { expected, ..of("coverage", name, arguments) }
 }
 
-/// `swarm_tick`, k times: local machines that exchange positions. The counter limit of the
-/// protocol is that of the quotient eps/stepsize.
+/// `swarm_tick`, k times: local machines that exchange positions. The counter limit of the protocol
+/// follows from the quotient eps/stepsize.
 pub(super) fn local(
     name: &str,
     p: &Params<Rational>,
@@ -80,8 +80,8 @@ pub(super) fn local(
     Vector { expected, ..of("local", name, arguments) }
 }
 
-/// `fmu_kth_step`: k ticks of one machine with whole period, number `id` of `drones`, that hears
-/// nothing new; then what it knows.
+/// `fmu_kth_step`: k ticks of one machine with an integer period, number `id` of `drones`, that hears
+/// nothing new; then its state.
 pub(super) fn alone(
     name: &str,
     p: &Params<Rational>,
@@ -154,7 +154,7 @@ pub(super) fn formation(
     Vector { expected, ..of("formation", name, arguments) }
 }
 
-/// `exec_coverage_active`: one step of the drones that are flagged.
+/// `exec_coverage_active`: one step of the flagged drones.
 pub(super) fn active(
     name: &str,
     p: &Params<Rational>,
@@ -214,8 +214,8 @@ pub(super) fn residual(name: &str, eps: &Rational, before: Positions, after: Pos
     Vector { expected, ..of("residual", name, arguments) }
 }
 
-/// Predicates of a placement, 1 for yes: the four start sets, at the targets, above the
-/// targets, in the box.
+/// Predicates of a placement, 1 if true: the four start sets, at the targets, above the targets, in the
+/// box.
 pub(super) fn predicates(name: &str, p: &Params<Rational>, x: Positions) -> Vector {
     let arguments = vec![
         ("min", Number(p.min.clone())),
@@ -227,7 +227,7 @@ pub(super) fn predicates(name: &str, p: &Params<Rational>, x: Positions) -> Vect
         [StartSet::Any, StartSet::Ordered, StartSet::FirstSubsegment, StartSet::UpperBounded];
     let mut answers: Vec<_> =
         sets.iter().map(|s| s.contains(&setting, &x) == Truth::True).collect();
-    // 7.5 (ii) says something of a placement exactly where all drones are at their targets.
+    // 7.5 (ii) constrains a placement only where all drones are at their targets.
     let run = [x.clone(), x.clone()];
     let at_targets = Theorem::SumStationary.conclusion(Form::Sharp, &setting, &run);
     answers.push(at_targets == Verdict::Holds);
@@ -237,7 +237,7 @@ pub(super) fn predicates(name: &str, p: &Params<Rational>, x: Positions) -> Vect
     Vector { expected, ..of("predicates", name, arguments) }
 }
 
-/// Whether the weight `num/den` is positive and below the critical one of N drones: 1 for yes.
+/// Whether the weight `num/den` is positive and below the critical one of N drones: 1 if so.
 pub(super) fn critical(name: &str, num: &Rational, den: &Rational, count: usize) -> Vector {
     let arguments = vec![
         ("num", Number(num.clone())),

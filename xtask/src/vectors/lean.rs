@@ -4,16 +4,16 @@ use super::show::phase_name;
 use super::{Value, Vector};
 use cordon_core::Rational;
 
-/// What precedes the guards: how the definitions that are proved about are executed.
+/// The preamble: how the definitions that the proofs are about are executed.
 const HEAD: &str = include_str!("head.lean");
 
-/// The file `lean-mirror/CordonMirror/Vectors.lean`: one guard a vector, so that building the
-/// mirror replays them.
+/// The file `lean-mirror/CordonMirror/Vectors.lean`: one guard per vector, so that building the mirror
+/// replays them.
 pub fn lean(vectors: &[Vector]) -> String {
     let mut text = HEAD.to_owned();
     for v in vectors {
         let arguments: String = v.arguments.iter().map(|(_, a)| format!(" {}", term(a))).collect();
-        // `local` is a word of Lean's own.
+        // `local` is a reserved word in Lean.
         let kind = if v.kind == "local" { "local_swarm" } else { v.kind };
         let (name, expected) = (&v.name, numbers(&v.expected));
         text.push_str(&format!("#guard agree ({kind}{arguments}) {expected} -- {name}\n"));

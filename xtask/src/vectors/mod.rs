@@ -1,8 +1,8 @@
-//! Test vectors for the mechanised mirrors: what the spec computed, as data and as theorems that
-//! a proof assistant checks by computation.
+//! Test vectors for the mechanised mirrors: results of the spec, as data and as theorems that a proof
+//! assistant checks by computation.
 //!
-//! The Rocq and Lean developments execute the definitions they prove things about on these
-//! inputs; the committed files are generated here, and a test compares the bytes.
+//! The Rocq and Lean developments execute the definitions of their proofs on these inputs; the
+//! committed files are generated here, and a test compares them byte by byte.
 
 mod cases;
 mod kinds;
@@ -18,20 +18,20 @@ pub use lean::lean;
 pub use rocq::rocq;
 pub use show::{json, tsv};
 
-/// One value that a vector's definition is given.
+/// An argument of a vector's definition.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Value {
     /// An exact number.
     Number(Rational),
     /// A count, an index or a counter.
     Count(u64),
-    /// When the first update comes.
+    /// When the first update happens.
     Phase(Phase),
-    /// One number a drone, or a table of them.
+    /// One number per drone, or a table of them.
     Numbers(Vec<Rational>),
     /// The links of a graph.
     Edges(Vec<(usize, usize)>),
-    /// One yes or no a drone.
+    /// One Boolean per drone.
     Flags(Vec<bool>),
 }
 

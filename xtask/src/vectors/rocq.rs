@@ -4,10 +4,10 @@ use super::show::phase_name;
 use super::{Value, Vector};
 use cordon_core::Rational;
 
-/// What precedes the examples: how the definitions that are proved about are executed.
+/// The preamble: how the definitions that the proofs are about are executed.
 const HEAD: &str = include_str!("head.v");
 
-/// The file `proofs/rocq/theories/Vectors.v`: one example a vector, proved by computation.
+/// The file `proofs/rocq/theories/Vectors.v`: one example per vector, proved by computation.
 pub fn rocq(vectors: &[Vector]) -> String {
     let mut text = HEAD.to_owned();
     for v in vectors {

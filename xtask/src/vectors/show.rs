@@ -9,8 +9,8 @@ use cordon_core::Rational;
 /// The columns of [`tsv`].
 const COLUMNS: &str = "kind\tname\targuments\texpected\n";
 
-/// Tab-separated values with a heading. An argument is `name=value`, arguments are separated by
-/// `; `, members of a list by one space.
+/// Tab-separated values with a heading. An argument is `name=value`; arguments are separated by `; `,
+/// members of a list by one space.
 pub fn tsv(vectors: &[Vector]) -> String {
     let mut text = COLUMNS.to_owned();
     for v in vectors {
@@ -38,7 +38,7 @@ fn word(value: &Value) -> String {
     }
 }
 
-/// The constructor of a phase in Rocq and Lean, too.
+/// The constructor of a phase, which Rocq and Lean share.
 pub(super) fn phase_name(phase: Phase) -> &'static str {
     match phase {
         Phase::First => "First",

@@ -1,4 +1,4 @@
-//! The committed certificates, judged by the independent checker.
+//! The committed certificates, checked by the independent checker.
 
 use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use serde_json::Value;
 use super::{Evidence, Status, Tier, TierVerdict, this_program};
 use cordon_core::files;
 
-/// Where the certificates are, below the root.
+/// The folder of the certificates, below the root.
 const FOLDER: &str = "proofs/certificates";
 
 /// The tier of committed certificates, `proofs/certificates`.
@@ -25,8 +25,8 @@ pub struct Certificates {
 /// A certificate with the checker's verdict.
 #[derive(Debug)]
 struct Judged {
-    /// What it claims: a theorem's number, or that with an extension (`7.3-mirror`). Empty for
-    /// a file that says nothing readable.
+    /// What it claims: a theorem's number, possibly with an extension (`7.3-mirror`). Empty for an
+    /// unreadable file.
     claim: String,
     /// Whether it is the theorem itself: the sharp form, every N, all weights of its range.
     whole: bool,
@@ -68,8 +68,8 @@ fn judge(path: &Path) -> Result<Judged, String> {
     let started = Instant::now();
     let answer = cordon_check::check(&text);
     let seconds = started.elapsed().as_secs_f64();
-    // What it states says what it is about, not its name. About one N and one eps, a counterexample
-    // or a user's own protocol is about no theorem; neither is what cannot be read.
+    // The statement decides what a certificate is about, not its name. One about a single N and eps, a
+    // counterexample or a protocol file is about no theorem; neither is an unreadable one.
     let page: Value = serde_json::from_str(&text).unwrap_or_default();
     let found = stated(&page["certificate"]["theorem"]["statement"]);
     let claim = found.map_or_else(String::new, |(claim, _)| claim.name.to_owned());
@@ -85,7 +85,7 @@ fn judge(path: &Path) -> Result<Judged, String> {
     Ok(Judged { claim, whole, verdict, seconds })
 }
 
-/// Whether a claim is about the theorem: `7.3`, `7.3-mirror`, and `7.5-identity` of 7.5i.
+/// Whether a claim is about the theorem: `7.3`, `7.3-mirror`, and `7.5-identity` for 7.5i.
 fn is_about(claim: &str, theorem: Theorem) -> bool {
     let (number, extension) = claim.split_once('-').unwrap_or((claim, ""));
     let of_theorem = theorem.number();
@@ -119,7 +119,7 @@ impl Tier for Certificates {
         if mine.is_empty() {
             return Status::NotRun(format!("no certificate about {}", theorem.number()));
         }
-        // All parts of the theorem itself have to be among the accepted; extensions alone prove it not.
+        // All parts of the theorem itself have to be accepted; extensions alone do not prove it.
         let accepted = |name: &str| mine.iter().find(|j| j.whole && j.claim == name);
         let mut parts = CLAIMS.iter().filter(|c| c.theorem == Some(theorem));
         let itself =

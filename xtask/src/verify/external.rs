@@ -1,8 +1,8 @@
-//! Tiers whose work is done by a program outside: a proof assistant, a verifier of Rust.
+//! Tiers checked by an external program: a proof assistant, a verifier for Rust.
 //!
-//! They take minutes, so that they run on request (`--run`) and are otherwise shown by record.
-//! What they claim stands in a table beside their sources: tab-separated, a heading, the
-//! theorem's number first, its form second, the statement in words last.
+//! They take minutes, so they run on request (`--run`) and are otherwise shown from their record. Their
+//! claims are listed in a table beside their sources: tab-separated, with a heading; first the
+//! theorem's number, then its form, last the statement in words.
 
 use std::cell::OnceCell;
 use std::path::PathBuf;
@@ -14,18 +14,18 @@ use cordon_spec::theorems::Theorem;
 use super::{Context, Evidence, Status, Tier, TierVerdict};
 use cordon_core::files;
 
-/// What distinguishes one such tier from another.
+/// The parameters of such a tier.
 #[derive(Debug)]
 struct Tool {
     name: &'static str,
     kind: Evidence,
     /// Folder of the development, below the root.
     folder: &'static str,
-    /// Where the program is started, below the root.
+    /// Working directory of the program, below the root.
     directory: &'static str,
     program: &'static str,
     arguments: &'static [&'static str],
-    /// Command that answers with the tool's version.
+    /// Command that prints the tool's version.
     version: [&'static str; 3],
     sources: &'static [&'static str],
 }
@@ -49,13 +49,13 @@ const LEAN: Tool = Tool {
     program: "lake",
     arguments: &["build"],
     version: ["lake", "--version", ""],
-    // Lean reads nothing else. That the mirror mirrors the spec is another matter, tested by twins
-    // and vectors.
+    // Lean reads nothing else. That the mirror agrees with the spec is tested separately, by twins and
+    // vectors.
     sources: &["lean-mirror"],
 };
 
-/// The exported theories, whose general part is files: what is generated beside it, words about
-/// the theorems and one scenario's numbers, is in no proof but that of the scenario's replay.
+/// The exported theories, whose general part is in files. The generated part (the theorems in words,
+/// one scenario's numbers) occurs only in the proof that replays the scenario.
 const PVS: Tool = Tool {
     name: "pvs",
     kind: Evidence::Mechanised,
@@ -67,10 +67,10 @@ const PVS: Tool = Tool {
     sources: &["crates/proof/src/export/pvs/theories", "proofs/pvs"],
 };
 
-/// The spec's own Rust with its contracts, and what follows from them.
+/// The spec's own Rust code with its contracts, and their consequences.
 const CREUSOT: Tool = Tool {
     name: "creusot",
-    // Proved by solvers, and by no kernel.
+    // Proved by solvers, not by a kernel.
     kind: Evidence::Inductive,
     folder: "proofs/creusot",
     directory: ".",
@@ -90,10 +90,10 @@ const CREUSOT: Tool = Tool {
     sources: &["spec/src", "proofs/creusot/model", "proofs/creusot/src"],
 };
 
-/// The table of what a tier claims, in its folder.
+/// The table of a tier's claims, in its folder.
 const TABLE: &str = "theorems.tsv";
 
-/// A tier that runs a program.
+/// A tier that runs an external program.
 #[derive(Debug)]
 pub struct External {
     tool: Tool,
@@ -134,7 +134,7 @@ impl External {
         Self { tool, root: context.root.to_owned(), requested, ran: OnceCell::new() }
     }
 
-    /// Rows of the table about a theorem: form and statement.
+    /// The rows of the table about a theorem.
     fn rows(&self, theorem: Theorem) -> Result<Vec<Row>, String> {
         let path = self.root.join(self.tool.folder).join(TABLE);
         let text = files::read_text(&path, files::Limit::RECORD)
@@ -152,7 +152,7 @@ impl External {
             .args(arguments)
             .current_dir(self.root.join(directory))
             .stdin(Stdio::null())
-            // Its progress is ours.
+            // Pass its progress on to our stderr.
             .stderr(Stdio::inherit())
             .output()
             .map_err(|e| format!("`{program}` does not run: {e}"))?;
@@ -181,7 +181,7 @@ impl Row {
         Some(Self { number, form })
     }
 
-    /// Whether the row is about the theorem or, as `7.4`, about all its parts.
+    /// Whether the row is about the theorem or, as `7.4`, about all of its parts.
     fn is_about(&self, theorem: Theorem) -> bool {
         let number = theorem.number();
         self.number == number || self.number == number.trim_end_matches('i')

@@ -1,4 +1,4 @@
-//! The matrix: every tier asked about every theorem, records in the place of what did not run.
+//! The matrix: every tier evaluated on every theorem, with records for the tiers that did not run.
 
 use std::path::Path;
 
@@ -8,53 +8,53 @@ use super::record::Records;
 use super::{Evidence, Status, Tier, TierVerdict, sources};
 use cordon_core::Outcome;
 
-/// What is known of a theorem by one kind of evidence.
+/// The result for a theorem by one kind of evidence.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
-    /// The tier is not about this theorem: with the reason.
+    /// The tier does not cover this theorem: with the reason.
     NotClaimed(String),
     /// Neither run now nor recorded: with the reason.
     NotRun(String),
-    /// The tier was run just now.
+    /// The tier was run now.
     Run {
         /// What this run found.
         verdict: TierVerdict,
-        /// Which cases this run covered.
+        /// The cases that this run covered.
         scope: String,
-        /// How long it took, in seconds.
+        /// Duration in seconds.
         seconds: f64,
     },
-    /// Verified by record: the sources are those of the record.
+    /// Verified by record: the sources are unchanged since.
     Recorded {
         /// What the recorded run found.
         verdict: TierVerdict,
-        /// Which cases the recorded run covered.
+        /// The cases that the recorded run covered.
         scope: String,
-        /// When, and by what.
+        /// The date and tool of the record.
         origin: Origin,
     },
-    /// There is a record of other sources: it counts for nothing.
+    /// There is a record for other sources: it does not count.
     Stale {
-        /// When, and by what.
+        /// The date and tool of the record.
         origin: Origin,
-        /// Why it was not run now.
+        /// Why the tier was not run now.
         why: String,
     },
 }
 
-/// Where a record comes from.
+/// The origin of a record.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Origin {
     /// Date of the recorded run, in UTC.
     pub date: String,
-    /// What ran, with its version.
+    /// The tool that ran, with its version.
     pub tool: String,
-    /// Hash of the sources it ran for.
+    /// Hash of the sources at that time.
     pub sources: String,
 }
 
 impl Cell {
-    /// What it contributes to the outcome, if anything.
+    /// Its contribution to the outcome, if any.
     fn verdict(&self) -> Option<&TierVerdict> {
         match self {
             Self::Run { verdict, .. } | Self::Recorded { verdict, .. } => Some(verdict),
@@ -83,7 +83,7 @@ impl Cell {
         })
     }
 
-    /// What was covered, or the reason why there is no result.
+    /// The coverage, or the reason why there is no result.
     pub fn detail(&self) -> String {
         match self {
             Self::NotClaimed(why) | Self::NotRun(why) => why.clone(),
@@ -103,7 +103,7 @@ impl Cell {
         }
     }
 
-    /// Seconds of a run.
+    /// Duration of a run, in seconds.
     pub fn seconds(&self) -> Option<f64> {
         match self {
             Self::Run { seconds, .. } => Some(*seconds),
@@ -120,29 +120,29 @@ impl Cell {
     }
 }
 
-/// What one tier has to say of each theorem.
+/// The results of one tier.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
     /// Name of the tier.
     pub name: &'static str,
     /// The kind of evidence.
     pub kind: Evidence,
-    /// One cell a theorem, in the matrix's order.
+    /// One cell per theorem, in the matrix's order.
     pub cells: Vec<Cell>,
-    /// What is wrong beside the theorems.
+    /// Problems that concern no particular theorem.
     pub problems: Vec<TierVerdict>,
 }
 
-/// Theorem x kind of evidence.
+/// The matrix theorem x kind of evidence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Matrix {
-    /// The theorems, one a row.
+    /// The theorems, one per row.
     pub theorems: Vec<Theorem>,
-    /// The tiers, one a column.
+    /// The tiers, one per column.
     pub columns: Vec<Column>,
 }
 
-/// Asks every tier about every theorem.
+/// Evaluates every tier on every theorem.
 pub fn collect(
     root: &Path,
     tiers: &[Box<dyn Tier>],
@@ -179,13 +179,13 @@ fn cell(root: &Path, tier: &dyn Tier, records: &Records, theorem: Theorem) -> Ce
         Ok(hash) if hash == record.sources => {
             Cell::Recorded { verdict: entry.verdict(), scope: entry.scope.clone(), origin }
         }
-        // Sources that cannot be read are not those of the record.
+        // Sources that cannot be read do not match the record.
         _ => Cell::Stale { origin, why },
     }
 }
 
 impl Matrix {
-    /// Rejected or refuted if anything is; holds if some tier ran; else inconclusive.
+    /// Rejected or refuted if anything is; holds if some tier ran; otherwise inconclusive.
     pub fn outcome(&self) -> Outcome {
         let cells = self.columns.iter().flat_map(|c| c.cells.iter());
         let verdicts = cells.filter_map(Cell::verdict);

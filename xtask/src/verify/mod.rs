@@ -1,9 +1,9 @@
-//! The matrix theorem x kind of evidence: what was run now, what was verified by record, what
-//! was not run.
+//! The matrix theorem x kind of evidence: what was run now, what was verified by record, what was not
+//! run.
 //!
-//! This is a face over the engines, like the command line: it may know all of them, and no
-//! engine knows it or another. Each column is a [`Tier`], in a file of its own; the collector
-//! ([`matrix`]) and the formats ([`show`]) know tiers only by that trait.
+//! This is a layer above the engines, like the command line: it may use all of them, and no engine
+//! depends on it. Each column is a [`Tier`], in a file of its own; the collector ([`matrix`]) and the
+//! formats ([`show`]) know tiers only by that trait.
 
 pub mod certificates;
 pub mod external;
@@ -22,27 +22,27 @@ use cordon_spec::theorems::Theorem;
 
 use cordon_core::{Evidence, Outcome};
 
-/// What a tier that ran has found of a theorem.
+/// The verdict of a tier that ran on a theorem.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum TierVerdict {
-    /// The theorem holds as far as the evidence reaches.
+    /// The theorem holds, as far as the evidence reaches.
     Holds,
-    /// It does not: with a counterexample in words.
+    /// It is refuted, with a counterexample in words.
     Refuted(String),
-    /// A certificate or proof of it was not accepted: with the reason.
+    /// A certificate or proof was not accepted, with the reason.
     Rejected(String),
-    /// Neither: with the reason.
+    /// Neither, with the reason.
     Inconclusive(String),
 }
 
 impl TierVerdict {
-    /// The worse of two verdicts, the first where they are alike.
+    /// The worse of two verdicts; the first if they are equally bad.
     #[must_use]
     pub fn worse(self, other: Self) -> Self {
         if self.outcome().worst(other.outcome()) == self.outcome() { self } else { other }
     }
 
-    /// What a run with this verdict ends with.
+    /// The outcome of a run with this verdict.
     pub fn outcome(&self) -> Outcome {
         match self {
             Self::Holds => Outcome::Holds,
@@ -53,55 +53,54 @@ impl TierVerdict {
     }
 }
 
-/// What a tier has to say of one theorem, now.
+/// The result of a tier for one theorem, now.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Status {
-    /// The tier is not about this theorem: with the reason.
+    /// The tier does not cover this theorem: with the reason.
     NotClaimed(String),
     /// It was not run: with the reason.
     NotRun(String),
     /// The tier was run.
     Run {
-        /// What the run found.
+        /// The verdict of the run.
         verdict: TierVerdict,
-        /// What was covered, in words.
+        /// The coverage, in words.
         scope: String,
-        /// How long it took, in seconds. What a tier does for all theorems at once it says of
-        /// each.
+        /// Duration in seconds. A tier that treats all theorems at once reports the total for each.
         seconds: f64,
     },
 }
 
 /// A kind of evidence: one column of the matrix.
 pub trait Tier {
-    /// Its name, a word.
+    /// Its name, a single word.
     fn name(&self) -> &'static str;
 
     /// The kind of evidence.
     fn kind(&self) -> Evidence;
 
-    /// What runs, with its version; for a tool outside this program, as it is installed.
+    /// The tool that runs, with its version; for an external tool, as installed.
     fn tool(&self) -> String;
 
-    /// Files and folders below the repository's root that its answers depend on. A record is
-    /// good for as long as their content stays.
+    /// Files and folders below the repository's root that its results depend on. A record is valid as
+    /// long as they are unchanged.
     fn sources(&self) -> &'static [&'static str];
 
-    /// What it has to say of the theorem in its sharp form.
+    /// Its result for the sharp form of the theorem.
     fn status(&self, theorem: Theorem) -> Status;
 
-    /// What it found wrong that belongs to no theorem.
+    /// Problems that concern no particular theorem.
     fn problems(&self) -> Vec<TierVerdict> {
         Vec::new()
     }
 }
 
-/// What the tiers need to know.
+/// What tiers need to know about the run.
 #[derive(Clone, Copy, Debug)]
 pub struct Context<'c> {
     /// The root of the repository.
     pub root: &'c Path,
-    /// Names of the tiers that take minutes and are run on request only.
+    /// Names of the tiers to run that run on request only.
     pub run: &'c [String],
 }
 

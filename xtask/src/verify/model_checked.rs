@@ -1,4 +1,5 @@
-//! The harnesses of `kani/`, checked by Kani on request; else what the record of its last run says.
+//! The harnesses of `kani/`, checked by Kani on request; otherwise shown from the record of the last
+//! run.
 
 use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
@@ -20,7 +21,7 @@ pub const NAME: &str = "kani";
 /// The record of the last run, below the repository's root.
 pub const RECORD: &str = "kani/run.json";
 
-/// Limits of each harness: what `cargo xtask kani` sets by itself.
+/// Limits of each harness: the defaults of `cargo xtask kani`.
 const SECONDS: u64 = 60;
 const MEBIBYTES: u64 = 4096;
 
@@ -49,11 +50,11 @@ impl ModelChecked {
     }
 }
 
-/// What is read of a record.
+/// The fields of a record that are used.
 #[derive(Deserialize)]
 struct Page {
     kani: String,
-    /// Records of early had neither.
+    /// Early records had neither.
     #[serde(default)]
     date: Option<String>,
     #[serde(default)]
@@ -69,11 +70,11 @@ struct Row {
     seconds: Option<f64>,
 }
 
-/// The record of the last run; `None` where there is no file. A record without the hash of its
-/// sources is of no known sources, and so stale.
+/// The record of the last run; `None` if there is no file. A record without a hash of its sources is
+/// always stale.
 ///
 /// # Errors
-/// The file cannot be read, or is no record.
+/// The file cannot be read, or is not a record.
 pub fn recorded(root: &Path) -> Result<Option<Record>> {
     let path = root.join(RECORD);
     if !path.exists() {
@@ -110,7 +111,7 @@ fn verdict(checked: &Checked) -> TierVerdict {
     judged(harness.name, Some(finding.verdict), &finding.detail)
 }
 
-/// What the end of a harness means for its theorem; `None`: an end that is not known.
+/// The verdict on a theorem from the result of its harness; `None` stands for an unknown result.
 fn judged(harness: &str, ending: Option<Ending>, detail: &str) -> TierVerdict {
     let Some(ending) = ending else {
         return TierVerdict::Rejected(format!("{harness}: an unknown verdict"));

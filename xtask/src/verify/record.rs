@@ -15,7 +15,7 @@ const FILE: &str = "proofs/records.json";
 /// Version of its format.
 const SCHEMA: &str = "cordon-records/1";
 
-/// The records of the repository, one a tier at most.
+/// The records of the repository, at most one per tier.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Records {
@@ -29,27 +29,27 @@ pub struct Records {
 pub struct Record {
     /// Name of the tier.
     pub tier: String,
-    /// What ran, with its version.
+    /// The tool that ran, with its version.
     pub tool: String,
-    /// When, in UTC: `2026-01-31`.
+    /// Date in UTC: `2026-01-31`.
     pub date: String,
-    /// Hash of the sources it was run for.
+    /// Hash of the sources at that time.
     pub sources: String,
-    /// What it found of each theorem.
+    /// Its results for each theorem.
     pub theorems: Vec<Entry>,
 }
 
-/// What a run found of one theorem.
+/// The result of a run for one theorem.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Entry {
     /// The theorem's number, like `7.4ii`.
     pub number: String,
-    /// What was found: `holds`, `refuted`, `rejected` or `inconclusive`.
+    /// The result: `holds`, `refuted`, `rejected` or `inconclusive`.
     pub result: Found,
-    /// What was covered, or why it was not accepted.
+    /// The coverage, or why it was not accepted.
     pub scope: String,
-    /// How long it took, in seconds, to a tenth.
+    /// Duration in seconds, to a tenth.
     pub seconds: f64,
 }
 
@@ -68,7 +68,7 @@ pub enum Found {
 }
 
 impl Entry {
-    /// The verdict with the recorded words.
+    /// The verdict, with the recorded words.
     pub fn verdict(&self) -> TierVerdict {
         let said = self.scope.clone();
         match self.result {
@@ -81,11 +81,11 @@ impl Entry {
 }
 
 impl Records {
-    /// The repository's records, that of the model checker among them, which is a file of its
-    /// own; none where there is no file.
+    /// The repository's records, including that of the model checker, which is a separate file; none if
+    /// there is no file.
     ///
     /// # Errors
-    /// A file that is no record file of this version.
+    /// A file that is not a record file of this version.
     pub fn read(root: &Path) -> Result<Self> {
         let mut records = Self::read_own(root)?;
         records.records.extend(model_checked::recorded(root)?);
@@ -117,11 +117,11 @@ impl Records {
         self.records.iter().find(|r| r.tier == tier)
     }
 
-    /// Runs the tier on the theorems and writes what it found into the repository's records, in
-    /// place of the tier's record before.
+    /// Runs the tier on the theorems and writes the results into the repository's records, replacing
+    /// the tier's previous record.
     ///
     /// # Errors
-    /// The tier does not run or has a record of its own, or the file cannot be written.
+    /// The tier cannot run or keeps its own record, or the file cannot be written.
     pub fn record(mut self, root: &Path, tier: &dyn Tier, theorems: &[Theorem]) -> Result<PathBuf> {
         if tier.name() == model_checked::NAME {
             return Err(Error::input(format!(
@@ -129,7 +129,7 @@ impl Records {
                 model_checked::RECORD
             )));
         }
-        // Hashed before the run: what changes meanwhile makes the record stale.
+        // Hashed before the run: a change in the meantime makes the record stale.
         let hash = sources::hash(root, tier.sources())?;
         let mut entries = Vec::new();
         let mut reasons = Vec::new();

@@ -13,8 +13,8 @@ use cordon_run::{scenario, trace};
 #[derive(Clone, Copy, Debug)]
 pub struct Simulated;
 
-/// Shipped coverage scenarios, and one that starts at the targets: what the theorems say of
-/// drones at their targets is said of no other run here.
+/// Shipped coverage scenarios, and one that starts at the targets: no other run here meets the premises
+/// about drones at their targets.
 const SCENARIOS: [(&str, &str); 4] = [
     ("paper", include_str!("../../../scenarios/paper.toml")),
     ("recorded", include_str!("../../../scenarios/recorded.toml")),

@@ -11,14 +11,14 @@ use cordon_proof::export::conjecture::Conjecture;
 use cordon_proof::export::smt_model::{Response, read_answer};
 use cordon_proof::export::smt2::{Query, WeightDomain, obligations};
 
-/// The tier: z3, where it is on PATH.
+/// The tier: z3, if it is on PATH.
 #[derive(Clone, Copy, Debug)]
 pub struct Smt;
 
 /// The numbers of drones.
 const DRONES: std::ops::RangeInclusive<usize> = 3..=6;
 
-/// Longest time for one query, in seconds. All of them together take about two.
+/// Time limit of one query, in seconds. All of them together take about two.
 const SECONDS: u32 = 30;
 
 /// The solver that is called.
@@ -67,7 +67,7 @@ impl Tier for Smt {
     }
 }
 
-/// What the solver calls itself, if it is there.
+/// The solver's name and version, if it is installed.
 fn version() -> Option<String> {
     let out = Command::new(SOLVER).arg("--version").output().ok()?;
     let text = String::from_utf8(out.stdout).ok()?;
@@ -97,7 +97,7 @@ fn ask(text: &str) -> std::io::Result<String> {
         .stderr(Stdio::null())
         .spawn()?;
     if let Some(mut stdin) = child.stdin.take() {
-        // The solver reads everything before it answers more than a pipe holds.
+        // The solver reads all input before it writes more than a pipe holds.
         stdin.write_all(text.as_bytes())?;
     }
     let out = child.wait_with_output()?;

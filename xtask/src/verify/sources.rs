@@ -1,4 +1,4 @@
-//! The hash of the sources that an answer depends on.
+//! The hash of the sources that a result depends on.
 
 use std::path::{Path, PathBuf};
 
@@ -6,16 +6,16 @@ use sha2::{Digest, Sha256};
 
 use cordon_core::{Error, Result};
 
-/// Endings of files that say something; what tools build beside them does not.
+/// Extensions of source files; other files are build products.
 const ENDINGS: [&str; 10] = ["rs", "toml", "v", "tsv", "txt", "sh", "awk", "lean", "json", "pvs"];
 
-/// Files without ending that say something.
+/// Source files without an extension.
 const NAMES: [&str; 2] = ["_CoqProject", "lean-toolchain"];
 
 /// `sha256:` and the hash of the content and the names of all source files at or below the
 /// given paths, which are relative to `root`.
 ///
-/// # Errors
+/// A path that does not exist, or a file that cannot be read.
 /// A path that is not there, or a file that cannot be read.
 pub fn hash(root: &Path, paths: &[&str]) -> Result<String> {
     let mut files = Vec::new();
@@ -44,7 +44,7 @@ pub fn hash(root: &Path, paths: &[&str]) -> Result<String> {
     Ok(format!("sha256:{digest}"))
 }
 
-/// The path below the root with `/` between its parts, on every system.
+/// The path below the root, with `/` as the separator on every system.
 fn portable_name(root: &Path, file: &Path) -> String {
     let below = file.strip_prefix(root).unwrap_or(file);
     let parts: Vec<_> = below.iter().map(|part| part.to_string_lossy()).collect();

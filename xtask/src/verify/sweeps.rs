@@ -1,4 +1,4 @@
-//! The two kinds of sweep, each at a size that takes about a second.
+//! The two kinds of sweep, each of a size that takes about a second.
 
 use std::time::Instant;
 
@@ -26,13 +26,13 @@ const GRID: Size = Size { drones: 6, denominator: 6, steps: 10 };
 const RESOLUTION: u32 = 8;
 const COMPLETE: Size = Size { drones: 8, denominator: 12, steps: 16 };
 
-/// How far a sweep reaches.
+/// The size of a sweep.
 struct Size {
     /// Largest number of drones.
     drones: usize,
     /// Largest denominator of the weights.
     denominator: u32,
-    /// Last step that is looked at.
+    /// Last step that is checked.
     steps: usize,
 }
 

@@ -1,8 +1,8 @@
 //! Affine forms over the rationals, as scalars of the spec.
 //!
-//! Running the protocol on forms gives every later position as an exact form in the start:
-//! what holds of the form holds of every start. A product of two forms that are not constant
-//! is no form any more; it becomes [`Affine::beyond`], of which nothing is known.
+//! Running the protocol on forms gives every later position as an exact form in the start: what holds
+//! of the form holds for every start. A product of two non-constant forms is not affine; it becomes
+//! [`Affine::beyond`], about which nothing is known.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -45,7 +45,7 @@ impl Affine {
         Self::new(Rational::zero(), coefficients)
     }
 
-    /// What is not affine.
+    /// A value that is not affine.
     pub fn beyond() -> Self {
         Self { parts: None }
     }
@@ -55,7 +55,7 @@ impl Affine {
         self.parts.as_ref().map(|p| (&p.constant, p.coefficients.as_slice()))
     }
 
-    /// The value where the variables are `x`; `None` where this is not affine.
+    /// The value at the point `x`; `None` where this is not affine.
     pub fn at(&self, x: &[Rational]) -> Option<Rational> {
         let (constant, coefficients) = self.parts()?;
         Some(coefficients.iter().zip(x).fold(constant.clone(), |sum, (c, v)| sum + c * v))

@@ -1,11 +1,11 @@
-//! Whether a symmetric matrix is positive definite: exactly, by LDL' over the rationals.
+//! Positive definiteness of symmetric matrices, decided exactly by LDL' over the rationals.
 
 use num_traits::{Signed, Zero};
 
 use crate::Rational;
 
-/// Whether `x'Ax > 0` for every `x` other than 0, of a symmetric matrix of which the lower triangle is
-/// read. An empty one is.
+/// Whether `x'Ax > 0` for every nonzero `x`. The matrix is taken to be symmetric: only its lower
+/// triangle is read. True for the empty matrix.
 pub fn is_positive_definite(matrix: &[Vec<Rational>]) -> bool {
     let mut rows: Vec<Vec<Rational>> = matrix.to_vec();
     for k in 0..rows.len() {

@@ -9,8 +9,8 @@ use num_bigint::BigInt;
 use crate::Rational;
 
 /// All numbers from `lo / 2^BITS` to `hi / 2^BITS`. Each operation rounds outwards, so that a
-/// run on enclosures encloses the exact run; unlike a run on fractions its numbers keep their
-/// length.
+/// All numbers from `lo / 2^BITS` to `hi / 2^BITS`. Each operation rounds outwards, so that a run on
+/// enclosures encloses the exact run; unlike fractions, the numbers do not grow in length.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Enclosure<const BITS: u32> {
     lo: BigInt,

@@ -1,5 +1,5 @@
-//! Systems of linear inequalities: a point that meets them, or multipliers that show that none
-//! does (Farkas' lemma with strict inequalities, also called Motzkin's).
+//! Systems of linear inequalities: a point that satisfies them, or multipliers that prove that there is
+//! none (Farkas' lemma with strict inequalities, also called Motzkin's).
 
 use num_traits::{One, Signed, Zero};
 
@@ -7,7 +7,7 @@ use super::affine::Affine;
 use crate::Rational;
 use crate::simplex::{Solution, Term, Work, maximise_within};
 
-/// What is demanded of a form.
+/// The sign required of a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
     /// The form is above 0.
@@ -19,7 +19,7 @@ pub enum Sign {
 }
 
 impl Sign {
-    /// Whether `value` meets it.
+    /// Whether `value` has this sign.
     pub fn met_by(self, value: &Rational) -> bool {
         match self {
             Self::Positive => value.is_positive(),
@@ -34,17 +34,17 @@ impl Sign {
 pub struct Constraint {
     /// The affine form that is compared with 0.
     pub form: Affine,
-    /// What is demanded of it.
+    /// The sign required of it.
     pub sign: Sign,
 }
 
-/// A point in `variables` dimensions that meets all constraints. `None` where there is none,
-/// or a form is not affine.
+/// A point in `variables` dimensions that satisfies all constraints. `None` where there is none, or a
+/// form is not affine.
 pub fn point(variables: usize, constraints: &[Constraint]) -> Option<Vec<Rational>> {
     point_within(variables, constraints, &Work::limited(u64::MAX))
 }
 
-/// As [`point`]; `None` too where that is more than the work that may be done.
+/// As [`point`]; also `None` where the work limit is exceeded.
 pub fn point_within(
     variables: usize,
     constraints: &[Constraint],
@@ -92,8 +92,8 @@ pub struct Premises<'g> {
     given: &'g [Constraint],
     /// The given equations: their multipliers may have either sign.
     equations: Vec<usize>,
-    /// For each variable, and last for the constant: the coefficients that the premises have
-    /// there, by the columns of their multipliers.
+    /// For each variable, and last for the constant: its coefficients in the premises, by the column of
+    /// the multiplier.
     rows: Vec<Vec<Term>>,
 }
 
@@ -104,7 +104,7 @@ impl<'g> Premises<'g> {
         let equations: Vec<usize> = (0..given.len()).filter(is_equation).collect();
         let parts = given.iter().map(|c| c.form.parts()).collect::<Option<Vec<_>>>()?;
         let variables = parts.iter().map(|(_, c)| c.len()).max().unwrap_or(0);
-        // Columns: one a constraint, the negative parts for the equations, the rest.
+        // Columns: one per constraint, the negative parts for the equations, the rest.
         let mut rows = vec![Vec::new(); variables + 1];
         for (i, (constant, coefficients)) in parts.into_iter().enumerate() {
             let negative = equations.binary_search(&i).ok().map(|place| given.len() + place);
@@ -127,13 +127,12 @@ impl<'g> Premises<'g> {
         self.multipliers_within(goal, &Work::limited(u64::MAX))
     }
 
-    /// As [`multipliers`](Self::multipliers); `None` too where that is more than the work that may be
-    /// done.
+    /// As [`multipliers`](Self::multipliers); also `None` where the work limit is exceeded.
     pub fn multipliers_within(&self, goal: &Constraint, work: &Work) -> Option<Vec<Rational>> {
         let (goal_constant, coefficients) = goal.form.parts()?;
         let (last, rows) = self.rows.split_last()?;
         if coefficients.len() > rows.len() {
-            // A variable that no premise names.
+            // A variable that no premise mentions.
             return None;
         }
         let (zero, one) = (Rational::zero(), Rational::one());

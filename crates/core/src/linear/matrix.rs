@@ -7,7 +7,7 @@ use crate::Rational;
 /// A matrix: its rows, all of one length.
 pub type Matrix = Vec<Vec<Rational>>;
 
-/// Row by column; the longer one's end counts nothing.
+/// The dot product; entries beyond the end of the shorter vector are ignored.
 pub fn dot(a: &[Rational], b: &[Rational]) -> Rational {
     let nonzero = a.iter().zip(b).filter(|(x, y)| !x.is_zero() && !y.is_zero());
     nonzero.fold(Rational::zero(), |sum, (x, y)| sum + x * y)
@@ -18,7 +18,7 @@ pub fn applied(matrix: &Matrix, x: &[Rational]) -> Vec<Rational> {
     matrix.iter().map(|row| dot(row, x)).collect()
 }
 
-/// The row `y` times `matrix`.
+/// The row vector `y` times `matrix`.
 pub fn before(y: &[Rational], matrix: &Matrix) -> Vec<Rational> {
     let width = matrix.first().map_or(0, Vec::len);
     let mut product = vec![Rational::zero(); width];
@@ -35,19 +35,19 @@ pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
     a.iter().map(|row| before(row, b)).collect()
 }
 
-/// The unit matrix of so many rows and columns.
+/// The identity matrix with `size` rows.
 pub fn unit(size: usize) -> Matrix {
     let row = |i| (0..size).map(move |j| if i == j { Rational::one() } else { Rational::zero() });
     (0..size).map(|i| row(i).collect()).collect()
 }
 
-/// The matrix whose rows are the columns of this one.
+/// The transpose.
 pub fn transposed(matrix: &Matrix) -> Matrix {
     let width = matrix.first().map_or(0, Vec::len);
     (0..width).map(|j| matrix.iter().filter_map(|row| row.get(j).cloned()).collect()).collect()
 }
 
-/// The X with `left X = right`, by elimination; `None` where `left` is not square and regular.
+/// The X with `left X = right`, by elimination; `None` where `left` is not square or is singular.
 pub fn solution(left: &Matrix, right: &Matrix) -> Option<Matrix> {
     let size = left.len();
     if right.len() != size || left.iter().any(|row| row.len() != size) {

@@ -5,9 +5,9 @@
 //! |1 - 2eps| + eps r_i to w, so that one vector brackets the spectral radius of |A| from both
 //! sides for every eps (Collatz-Wielandt), and the tighter the more even the r_i are.
 //!
-//! The vector is found by shooting: w_1 = 1, w_{i+1} = mu w_i - w_{i-1}, with mu the largest
-//! number for which w_{N-1} = 0. Fixed-point arithmetic suffices for the search; whatever it
-//! yields is judged by exact ratios.
+//! The vector is found by shooting: w_1 = 1, w_{i+1} = mu w_i - w_{i-1}, with mu the largest number for
+//! which w_{N-1} = 0. Fixed-point arithmetic suffices for the search: its result is judged by exact
+//! ratios.
 
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
@@ -83,7 +83,7 @@ impl Perron {
 
     /// The least and the largest ratio of |A| w to w at this weight, computed with the spec's
     /// step on w with signs such that A acts on it like |A| (alternating signs beyond
-    /// eps = 1/2). What the factors above say, established a second time from the code.
+    /// eps = 1/2). An independent check of the factors above.
     pub fn ratios_by_spec(&self, eps: &Rational) -> Option<(Rational, Rational)> {
         let alternate = eps * Rational::from_integer(2.into()) > Rational::one();
         let sign = |i: usize| alternate && i % 2 == 1;

@@ -1,8 +1,7 @@
 //! One protocol step as a sparse matrix in other coordinates than positions: errors and gaps.
 //!
-//! The rows are rearranged weights of a [`Stencil`], which reads them off the spec. That the
-//! step is linear in these coordinates, without a constant, is not taken for granted: it is
-//! checked on the weights.
+//! The rows are rearranged weights of a [`Stencil`], which reads them off the spec. That the step is
+//! linear in these coordinates, without a constant, is not assumed but checked on the weights.
 
 use std::collections::BTreeMap;
 
@@ -14,9 +13,8 @@ use crate::stencil::{Role, Stencil};
 pub type Row<T> = Vec<(usize, T)>;
 
 impl<T: Scalar + PartialEq> Stencil<T> {
-    /// The step in errors: row i is `den` times what the error e_i' = T_i - X_i' of drone i of
-    /// `count` takes of the errors before the step (PROTOCOL section 2: e' = A e). `None` where
-    /// the step moves the targets.
+    /// The step in errors (PROTOCOL section 2: e' = A e): row i of A, times `den`, for drone i of
+    /// `count`, with e_i = T_i - X_i. `None` where the step moves the targets.
     pub fn error_rows(&self, count: usize) -> Option<Vec<Row<T>>> {
         // On the segment [0, N-1] the target of drone i is i.
         let last = T::from_index(count.checked_sub(1)?);
@@ -36,9 +34,9 @@ impl<T: Scalar + PartialEq> Stencil<T> {
         (0..count).map(|i| fixed(i).then(|| row(i))).collect()
     }
 
-    /// The step in gaps, the segment being that between the end drones: row i is `den` times
-    /// what gap i, from drone i to drone i+1 of `count`, takes of the gaps before the step.
-    /// `None` where the step depends on more than gaps.
+    /// The step in gaps, the segment being that between the end drones: row i gives `den` times gap i,
+    /// from drone i to drone i+1 of `count`, in terms of the gaps before the step. `None` where the
+    /// step depends on more than gaps.
     pub fn gap_rows(&self, count: usize) -> Option<Vec<Row<T>>> {
         let last = count.checked_sub(1)?;
         let row = |i: usize| {
@@ -69,7 +67,7 @@ impl<T: Scalar + PartialEq> Stencil<T> {
     }
 }
 
-/// What the rows make of a vector.
+/// The product of the matrix and a vector.
 pub fn applied<T: Scalar>(rows: &[Row<T>], x: &[T]) -> Vec<T> {
     let entry = |row: &Row<T>| {
         row.iter().fold(T::from_int(0), |sum, (j, a)| match x.get(*j) {

@@ -1,6 +1,6 @@
-//! Scalars beside the exact rationals, on which the same spec runs.
+//! Scalars other than the exact rationals on which the same spec runs.
 //!
-//! | type | what a run on it is |
+//! | type | a run on it is |
 //! |---|---|
 //! | [`crate::Rational`] | exact |
 //! | [`Polynomial`] | symbolic: the transition relation itself |

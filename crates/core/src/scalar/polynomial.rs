@@ -69,7 +69,7 @@ impl Polynomial {
         self.0.is_empty()
     }
 
-    /// The form in the indeterminates that it is; `None` where it is not affine.
+    /// The polynomial as an affine form in the indeterminates; `None` where it is not affine.
     pub fn affine(&self) -> Option<Affine> {
         let mut constant = Rational::zero();
         let mut coefficients = Vec::new();
@@ -89,7 +89,7 @@ impl Polynomial {
         Some(Affine::new(constant, coefficients))
     }
 
-    /// The value where indeterminate `v` stands for `value(v)`.
+    /// The value with `value(v)` substituted for indeterminate `v`.
     pub fn evaluate(&self, value: impl Fn(u32) -> Rational) -> Rational {
         self.0.iter().fold(Rational::zero(), |sum, (m, c)| {
             let power = |product: Rational, (v, e): (u32, u32)| {

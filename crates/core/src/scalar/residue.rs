@@ -37,8 +37,8 @@ impl Modulus {
 
 /// An element of a prime field.
 ///
-/// An embedded integer does not know its field until it meets an element that does, so a
-/// residue may also be a small integer of no field yet.
+/// An embedded integer does not know its field until it meets an element that does, so a residue may
+/// also be a small integer without a field.
 #[derive(Clone, Copy, Debug)]
 pub struct Residue(Value);
 
@@ -53,7 +53,7 @@ enum Value {
 }
 
 impl Residue {
-    /// The representative in `0 .. p`, or `None` for an integer of no field.
+    /// The representative in `0 .. p`, or `None` for an integer without a field.
     pub fn value(self) -> Option<u64> {
         match self.0 {
             Value::Integer(_) => None,
@@ -87,8 +87,8 @@ impl PartialEq for Residue {
     }
 }
 
-/// `in_field` on residues; `on_integers` where neither side has met a field, which happens for
-/// the few constants of a formula only (saturating: 128 bits are far beyond them).
+/// `in_field` on residues; `on_integers` where neither operand has a field, which happens only for the
+/// few constants of a formula (saturating: they are far below 128 bits).
 fn combine(
     a: Residue,
     b: &Residue,

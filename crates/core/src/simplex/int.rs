@@ -6,7 +6,7 @@ use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-/// An integer. Equal numbers are held alike: what fits 64 bits is small.
+/// An integer. The representation is unique: what fits 64 bits is `Small`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Int {
     Small(i64),
@@ -29,8 +29,8 @@ impl Int {
         !self.is_zero() && !self.is_positive()
     }
 
-    /// What making it costs, in machine operations on words or so: a big integer is allocated, and common
-    /// divisors are taken out of it, in time quadratic in its words.
+    /// The cost of computing it, roughly in operations on machine words: a big integer is allocated,
+    /// and reduced by common divisors in time quadratic in its length.
     pub fn work(&self) -> u64 {
         match self {
             Self::Small(_) => 1,
@@ -91,7 +91,7 @@ impl Int {
         match (self, other) {
             (Self::Small(a), Self::Small(b)) => i128::from(*a).gcd(&i128::from(*b)).into(),
             (Self::Small(0), Self::Big(x)) | (Self::Big(x), Self::Small(0)) => x.abs().into(),
-            // One division makes a machine word of the other.
+            // One division reduces the other to a machine word.
             (Self::Small(a), Self::Big(x)) | (Self::Big(x), Self::Small(a)) => {
                 Self::from(x % *a).gcd(&Self::Small(*a))
             }

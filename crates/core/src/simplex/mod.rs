@@ -27,13 +27,13 @@ pub enum Solution {
     Unbounded,
 }
 
-/// How much work may still be done, the same on every machine. The unit is an entry of a tableau
-/// that a pivot writes anew; an entry with a number of more than 64 bits counts once a word.
+/// A budget of work that does not depend on the machine. The unit is an entry of the tableau that a
+/// pivot rewrites; an entry of more than 64 bits counts once per word.
 #[derive(Debug)]
 pub struct Work(Cell<u64>);
 
 impl Work {
-    /// A budget of so many units of work.
+    /// A budget of this many units.
     pub fn limited(units: u64) -> Self {
         Self(Cell::new(units))
     }
@@ -43,7 +43,7 @@ impl Work {
         self.0.get()
     }
 
-    /// Whether there was as much as that; all is gone where there was not.
+    /// Spends units of work. Where fewer are left, spends these and returns false.
     fn spend(&self, units: u64) -> bool {
         let left = self.left().checked_sub(units);
         self.0.set(left.unwrap_or(0));
@@ -56,9 +56,9 @@ pub type Term = (usize, Rational);
 
 /// Maximises `objective . x` over all `x >= 0` with `equations x = constants`.
 ///
-/// Each equation has one coefficient a variable; missing ones at its end count as 0. An
-/// inequality is an equation with a slack variable. Among the optimal points that of Bland's
-/// path is returned: variables named first are preferred.
+/// Each equation has one coefficient per variable; missing ones at its end count as 0. An inequality is
+/// an equation with a slack variable. Of several optimal points, the one that Bland's rule reaches is
+/// returned: variables named first are preferred.
 pub fn maximise(
     objective: &[Rational],
     equations: &[Vec<Rational>],
@@ -72,8 +72,8 @@ pub fn maximise(
     unlimited(|work| solved(count, Row::integral(objective.iter().enumerate()), rows, work))
 }
 
-/// As [`maximise`], for `count` variables and equations that name few of them: each with its
-/// terms, in any order, no variable twice, and its constant.
+/// As [`maximise`], for `count` variables and sparse equations: each with its terms, in any order, no
+/// variable twice, and its constant.
 pub fn maximise_sparse(
     count: usize,
     objective: &[Term],
@@ -82,12 +82,12 @@ pub fn maximise_sparse(
     unlimited(|work| maximise_within(count, objective, equations, work))
 }
 
-/// The answer where the work does not matter: centuries of it.
+/// The solution without a limit in practice: the budget would last for centuries.
 fn unlimited(solve: impl FnOnce(&Work) -> Option<Solution>) -> Solution {
     solve(&Work::limited(u64::MAX)).unwrap_or(Solution::Infeasible)
 }
 
-/// As [`maximise_sparse`]; `None` where that is more than the work that may be done.
+/// As [`maximise_sparse`]; `None` where the work limit is exceeded.
 pub fn maximise_within(
     count: usize,
     objective: &[Term],
@@ -109,7 +109,7 @@ fn entries(terms: &[Term]) -> impl Iterator<Item = (usize, &Rational)> {
     terms.iter().map(|(j, x)| (*j, x))
 }
 
-/// A point `x >= 0` with `equations x = constants`, if there is one.
+/// A point `x >= 0` with `equations x = constants`, if any.
 pub fn feasible(
     count: usize,
     equations: &[Vec<Rational>],
@@ -173,8 +173,8 @@ impl Tableau {
         cost
     }
 
-    /// Pivots until no column lowers the cost; false if the cost has no lower bound, `None` if there
-    /// is no work left.
+    /// Pivots until no column lowers the cost; false if the cost has no lower bound, `None` if the work
+    /// limit is exceeded.
     fn descend(&mut self, mut cost: Row, work: &Work) -> Option<bool> {
         while let Some(entering) = cost.first_negative(self.count) {
             let Some(leaving) = self.leaving(entering) else {
@@ -219,12 +219,12 @@ impl Tableau {
         }
         self.rows[leaving] = pivot_row;
         self.basis[leaving] = entering;
-        // Looking through the rows is work too.
+        // Scanning the rows is work too.
         work.spend(written + self.rows.len() as u64).then_some(())
     }
 
-    /// After phase one: false if an artificial variable is not zero; else makes every basic
-    /// variable a proper one and drops the rows that say nothing.
+    /// After phase one: false if an artificial variable is not zero; otherwise makes every basic
+    /// variable a proper one and drops redundant rows.
     fn drop_artificial(&mut self, work: &Work) -> Option<bool> {
         let mut i = 0;
         while i < self.rows.len() {

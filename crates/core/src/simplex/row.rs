@@ -17,8 +17,7 @@ pub(super) struct Row {
 const ZERO: &Int = &Int::Small(0);
 
 impl Row {
-    /// The row with these entries, times the positive number that makes it integral without
-    /// common divisor.
+    /// The row with these entries, scaled by a positive number to integers without a common divisor.
     pub fn integral<'x>(entries: impl Iterator<Item = (usize, &'x Rational)>) -> Self {
         let mut entries: Vec<_> = entries.filter(|(_, x)| !x.is_zero()).collect();
         entries.sort_by_key(|(j, _)| *j);
@@ -76,24 +75,24 @@ impl Row {
             }
         }
         self.entries = entries;
-        // Machine words need no common divisor taken out; it keeps others from growing.
+        // Only big integers are worth reducing: it keeps them from growing.
         if self.entries.iter().any(|(_, x)| matches!(x, Int::Big(_))) {
             self.reduce();
         }
     }
 
-    /// What making its numbers costs.
+    /// The cost of computing its entries.
     pub fn work(&self) -> u64 {
         self.entries.iter().map(|(_, x)| x.work()).sum()
     }
 
-    /// What making the row of so many numbers costs: they come as big integers.
+    /// The cost of reading a row of this many numbers, which arrive as big integers.
     pub fn work_of_reading(numbers: usize) -> u64 {
         20 * numbers as u64
     }
 
-    /// Adds the multiple of `pivot_row` that clears a column, where the pivot is positive; whether
-    /// there was anything to clear.
+    /// Adds the multiple of `pivot_row` that clears a column, for a positive pivot; returns whether the
+    /// entry was nonzero.
     pub fn eliminate(&mut self, pivot_row: &Self, column: usize) -> bool {
         let factor = self.at(column);
         if factor.is_zero() {

@@ -1,4 +1,4 @@
-//! Expressions as protocol files have them: sums and products of numbers, parameters and states.
+//! The expressions of protocol files: sums and products of numbers, parameters and states.
 //!
 //! ```text
 //! comparison = sum (("<" | "<=" | "=" | ">=" | ">") sum)+
@@ -7,7 +7,7 @@
 //! factor     = "-" factor | "(" sum ")" | number | name | name "." name | name "[" sum "]" | "sum" "(" sum ")"
 //! ```
 //!
-//! What a name means, its [`Meaning`] says; an expression's value is a polynomial.
+//! The meaning of names is given by a [`Meaning`]; the value of an expression is a polynomial.
 
 use num_traits::{One, Signed, Zero};
 
@@ -36,32 +36,32 @@ enum Node {
     Over(Box<[Expression; 2]>),
 }
 
-/// Two expressions compared: what is said of `greater - less`.
+/// A comparison of two expressions, as a condition on `greater - less`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Comparison {
-    /// The side that is said to be no less.
+    /// The side that is claimed to be no less.
     pub greater: Expression,
-    /// The side that is said to be no greater.
+    /// The side that is claimed to be no greater.
     pub less: Expression,
     /// `<`, `<=` or `=` as the sign of the difference.
     pub relation: Sign,
 }
 
-/// What is wrong with an expression, and at which character.
+/// An error in an expression, and where it is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SyntaxError {
-    /// Where the text stops making sense, in bytes from its beginning.
+    /// Where the error is, in bytes from the beginning of the text.
     pub at: usize,
     /// What was found there and what was expected.
     pub message: String,
 }
 
-/// What the names of an expression stand for. Errors are messages; the place is added.
+/// What the names of an expression stand for. Errors are messages; the caller adds the place.
 pub trait Meaning {
     /// `name`
     ///
     /// # Errors
-    /// There is none of that name.
+    /// There is nothing of that name.
     fn name(&self, name: &str) -> Result<Polynomial, String>;
 
     /// `owner.name`
@@ -89,8 +89,8 @@ pub trait Meaning {
     }
 }
 
-/// How the names of an expression are written in another syntax. Errors are messages; the place is
-/// added.
+/// How the names of an expression are written in another syntax. Errors are messages; the caller adds
+/// the place.
 pub trait Words {
     /// `name`
     ///
@@ -117,7 +117,7 @@ pub trait Words {
     fn sum(&self, inner: &Expression) -> Result<String, String>;
 }
 
-/// Reads constants: no name means anything.
+/// The meaning of constant expressions: no name is defined.
 struct Numbers;
 
 impl Meaning for Numbers {
@@ -174,7 +174,7 @@ impl Expression {
     /// Its value.
     ///
     /// # Errors
-    /// A name without meaning, or a division by what is no number other than 0.
+    /// An undefined name, or a divisor that is not a nonzero number.
     pub fn value(&self, meaning: &impl Meaning) -> Result<Polynomial, SyntaxError> {
         let placed = |message| SyntaxError { at: self.at, message };
         let both = |pair: &[Self; 2]| {
@@ -230,12 +230,12 @@ pub fn add_term(text: &mut String, c: &Rational, factors: &[&str]) {
     *text += &all.join("*");
 }
 
-/// What a sum without terms is.
+/// The text of a sum, `0` where it has no terms.
 pub fn or_zero(text: String) -> String {
     if text.is_empty() { "0".to_owned() } else { text }
 }
 
-/// A sum in words: of each term the coefficient and the factors' names.
+/// A sum in words: each term given by its coefficient and the names of its factors.
 pub fn sum_text<'t>(terms: impl IntoIterator<Item = (&'t Rational, Vec<&'t str>)>) -> String {
     let mut text = String::new();
     for (c, factors) in terms {
@@ -271,7 +271,7 @@ pub fn comparisons(text: &str) -> Result<Vec<Comparison>, SyntaxError> {
 /// Deepest nesting of parentheses and signs.
 const DEEPEST: usize = 100;
 
-/// Most numbers and names in an expression: evaluation goes as deep as a sum is long.
+/// Most numbers and names in an expression: evaluation recurses once per term of a sum.
 const LONGEST: usize = 2_000;
 
 struct Parser<'t> {

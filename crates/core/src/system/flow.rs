@@ -9,27 +9,27 @@ use crate::exact::shortened;
 use crate::linear::feasible::Sign;
 use crate::{Error, Rational, Result};
 
-/// A system in continuous time: what its modes make of a state is not the next one but its derivative.
+/// A system in continuous time: its modes give the derivative of the state instead of the next state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Flow {
-    /// Its parts; the schedule says in which order modes act, where they do in turn.
+    /// The modes, starts and claims; the schedule gives the order of the modes where they act in turn.
     pub system: System,
     /// When the active mode may change.
     pub switching: Switching,
 }
 
-/// When modes change; times in seconds, or whatever the derivatives are taken by.
+/// When modes change; times are in the unit of time of the derivatives, seconds by convention.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Switching {
-    /// At any time, as often as it likes.
+    /// At any time, arbitrarily often.
     Any,
-    /// A mode that begins to act acts for so long at least.
+    /// Once active, a mode stays active for at least this time.
     Dwell(Rational),
-    /// In turn, each for so long.
+    /// The modes act in turn, each for this time.
     Every(Rational),
 }
 
-/// Most corners of the box in which a start lies.
+/// Most corners of a start box.
 const MOST_CORNERS: usize = 1 << 10;
 
 impl Flow {

@@ -5,7 +5,7 @@ use num_traits::Zero;
 use crate::Rational;
 use crate::linear::affine::Affine;
 
-/// `x -> A x + b`: of every row the constant and the coefficients that are not 0, by column.
+/// `x -> A x + b`: for every row the constant and the nonzero coefficients, by column.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Map {
     /// Constant and coefficients of each row, columns ascending.
@@ -22,7 +22,7 @@ impl Map {
         self.rows.iter().map(entry).collect()
     }
 
-    /// The form `f(A x + b)`, `f` being affine: what the form will be after the map. `None` where it
+    /// The form `x -> f(A x + b)` for an affine `f`: the value of `f` after the map. `None` where `f`
     /// is not affine.
     pub fn pulled_back(&self, f: &Affine) -> Option<Affine> {
         let (constant, coefficients) = f.parts()?;

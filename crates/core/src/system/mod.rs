@@ -1,11 +1,11 @@
-//! A system: everything that an engine has to know of a co-ordination protocol, and nothing else.
+//! A system: all that the engines need to know about a co-ordination protocol.
 //!
-//! Agents, each with one or more state variables; parameters with their ranges; one or more
-//! modes, each an affine map of the state whose coefficients are polynomials in the parameters,
-//! of degree one in each; which modes may follow each other; what is assumed of the start and
-//! claimed of a run. A system comes from one of the spec's protocols, from a protocol file
-//! (`cordon_run::protocol`), or from a Rust type ([`Protocol`]). Wherever it comes from, its
-//! coefficients are read off by executing the step once, on polynomials ([`Mode::executed`]).
+//! Agents, each with one or more state variables; parameters with their ranges; one or more modes, each
+//! an affine map of the state whose coefficients are polynomials in the parameters, of degree at most
+//! one in each; which modes may follow each other; what is assumed of the start and claimed of a run. A
+//! system comes from one of the spec's protocols, from a protocol file (`cordon_run::protocol`), or
+//! from a Rust type ([`Protocol`]). In each case its coefficients are read off by executing the step
+//! once, on polynomials ([`Mode::executed`]).
 
 pub mod expression;
 mod flow;
@@ -28,7 +28,7 @@ use expression::{Meaning, SyntaxError, comparisons};
 use crate::linear::affine::Affine;
 use crate::linear::feasible::{Constraint, Sign};
 
-/// Most state variables of a system, those of the past included: as many as a certificate may have.
+/// Most state variables of a system, those that hold the past included: the limit of a certificate.
 pub const MOST_VARIABLES: usize = 600;
 
 /// A state variable that every agent has.
@@ -47,36 +47,36 @@ pub struct Parameter {
     pub name: String,
     /// Lower end of its range.
     pub low: Rational,
-    /// Upper end of its range; equal to `low` for a number.
+    /// Upper end of its range; equal to `low` where it is fixed.
     pub high: Rational,
-    /// Whether it is fixed for a run or chosen anew in each step.
+    /// Whether it is constant in a run or chosen again in each step.
     pub kind: ParameterKind,
 }
 
 /// How a parameter varies in a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ParameterKind {
-    /// It has one value in the range, the same in every step.
+    /// One value in the range, the same in every step.
     Constant,
-    /// It has any value in the range, another one in each step: a disturbance.
+    /// Any value in the range, possibly a different one in each step: a disturbance.
     Varying,
-    /// It is one end of the range or the other, anew in each step: whether a message arrives, say.
+    /// One end of the range or the other, chosen in each step: whether a message arrives, say.
     Choice,
 }
 
 impl Parameter {
-    /// The value, where it has no other.
+    /// The value, where the range holds only one.
     pub fn fixed(&self) -> Option<&Rational> {
         (self.low == self.high).then_some(&self.low)
     }
 
-    /// Of a choice, what is chosen where nothing departs from the rules: the high end (the link
-    /// works, the agent acts), but for `late..` (the message is so old) the low one.
+    /// The value of a choice in normal operation: the high end (the link works, the agent acts), except
+    /// for `late..` (the message is that old), where it is the low one.
     pub fn usual(&self) -> &Rational {
         if self.name.starts_with("late") { &self.low } else { &self.high }
     }
 
-    /// The ends of the range, once where they are equal.
+    /// The ends of the range, only one where they are equal.
     pub fn ends(&self) -> Vec<Rational> {
         match self.fixed() {
             Some(value) => vec![value.clone()],
@@ -109,7 +109,7 @@ impl Meaning for Names<'_> {
 impl Predicate {
     /// One comparison of the state variables of a system, by name: `x0 <= x1`.
     ///
-    /// # Errors
+    /// It is not one, or not linear in them.
     /// It is none, or not linear in them.
     pub fn parse(system: &System, text: &str) -> crate::Result<Self> {
         let wrong = |e: SyntaxError| Error::input(format!("`{}`: {}", shortened(text), e.message));
@@ -126,8 +126,8 @@ impl Predicate {
         Ok(Self { text: text.to_owned(), is: Constraint { form, sign: comparison.relation } })
     }
 
-    /// As it stands in the file, for whichever agents: what is written once stands for one comparison
-    /// or several.
+    /// The comparison as written in the file, without the agents that it was expanded for: one written
+    /// comparison may stand for several.
     pub fn written(&self) -> &str {
         self.text.rsplit_once(" (i = ").map_or(self.text.as_str(), |(written, _)| written)
     }
@@ -141,16 +141,16 @@ impl Predicate {
 /// What is claimed of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Claim {
-    /// What holds of the state in the steps that `when` names.
+    /// What has to hold in steps `from` to `until`.
     pub predicate: Predicate,
-    /// The first step at which it has to.
+    /// The first step at which it has to hold.
     pub from: usize,
-    /// The last step at which it has to, if there is one.
+    /// The last step at which it has to hold, if there is one.
     pub until: Option<usize>,
 }
 
 impl Claim {
-    /// Whether it says anything of the state after `step` steps.
+    /// Whether it applies to the state after `step` steps.
     pub fn is_about(&self, step: usize) -> bool {
         self.from <= step && self.until.is_none_or(|last| step <= last)
     }
@@ -177,7 +177,7 @@ pub enum Convergence {
 /// A co-ordination protocol as a linear system; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct System {
-    /// What it is about, for people.
+    /// A title, for display.
     pub title: String,
     /// Number of agents, at least 1.
     pub agents: usize,
@@ -185,13 +185,13 @@ pub struct System {
     pub variables: Vec<Variable>,
     /// Names of all state variables: agent by agent, then those that hold the past.
     pub state: Vec<String>,
-    /// Of each state variable that holds the past, which variable it repeats while at rest.
+    /// For each state variable that holds the past, the variable that it equals at rest.
     pub past: Vec<usize>,
     /// The parameters, in the order in which a step takes them.
     pub parameters: Vec<Parameter>,
     /// The modes, at least one.
     pub modes: Vec<Mode>,
-    /// Which of them act when.
+    /// Which mode acts in which step.
     pub schedule: Schedule,
     /// Who hears whom, listener first, for display.
     pub links: Vec<(usize, usize)>,
@@ -204,10 +204,10 @@ pub struct System {
 }
 
 impl System {
-    /// The system of a protocol written as a Rust type: no assumption, no claim yet.
+    /// The system of a protocol written as a Rust type, without assumptions or claims.
     ///
     /// # Errors
-    /// The step is not affine in the state, or of higher degree than one in a parameter.
+    /// The step is not affine in the state, or of a degree above one in a parameter.
     pub fn of<P: Protocol>(protocol: &P) -> crate::Result<Self> {
         let agents = protocol.agents();
         let variables: Vec<Variable> = protocol
@@ -241,7 +241,7 @@ impl System {
         (0..self.state.len()).map(Affine::variable).collect()
     }
 
-    /// The assumptions on the start, those on variables that hold the past included: at rest.
+    /// The assumptions on the start; variables that hold the past start at rest.
     pub fn start_constraints(&self) -> Vec<Constraint> {
         let now = self.state.len() - self.past.len();
         let rest = self.past.iter().enumerate().map(|(j, &source)| Constraint {
@@ -251,14 +251,14 @@ impl System {
         self.starts.iter().map(|p| p.is.clone()).chain(rest).collect()
     }
 
-    /// The assumptions as they are written, in order.
+    /// The assumptions as written, in order.
     pub fn written_starts(&self) -> Vec<&str> {
         let mut texts: Vec<&str> = self.starts.iter().map(Predicate::written).collect();
         texts.dedup();
         texts
     }
 
-    /// The claims as they are written, in order: of each the places of what it stands for.
+    /// The claims as written, in order, each with the indices of the claims that it stands for.
     pub fn written_claims(&self) -> Vec<(&str, Vec<usize>)> {
         let mut groups: Vec<(&Claim, Vec<usize>)> = Vec::new();
         for (place, claim) in self.claims.iter().enumerate() {
@@ -274,8 +274,8 @@ impl System {
         groups.into_iter().map(|(first, places)| (first.predicate.written(), places)).collect()
     }
 
-    /// The whole state of a start that gives every agent's variables, agent by agent. `None`
-    /// where it gives another number of them.
+    /// The whole state for a start that gives every agent's variables, agent by agent, with the past at
+    /// rest. `None` where the number of values is wrong.
     pub fn at_rest(&self, start: &[Rational]) -> Option<Vec<Rational>> {
         let now = self.state.len() - self.past.len();
         (start.len() == now).then(|| {
@@ -284,7 +284,7 @@ impl System {
         })
     }
 
-    /// A value for every parameter: that given by name, else its only one, else `choice`.
+    /// A value for every parameter: its only one where it is fixed, else `choice`.
     pub fn values(&self, choice: impl Fn(&Parameter) -> Rational) -> Vec<Rational> {
         self.parameters.iter().map(|p| p.fixed().cloned().unwrap_or_else(|| choice(p))).collect()
     }
@@ -297,7 +297,7 @@ impl System {
         }
     }
 
-    /// Whether a run has no choice once its constants are fixed: one mode, or modes in turn, and no
+    /// Whether a run is determined once its constants are fixed: one mode, or modes in turn, and no
     /// parameter that varies.
     pub fn is_deterministic(&self) -> bool {
         let varies = |p: &Parameter| p.kind != ParameterKind::Constant && p.fixed().is_none();

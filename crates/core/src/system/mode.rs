@@ -9,8 +9,8 @@ use super::{Map, Parameter};
 use crate::scalar::Polynomial;
 use crate::{Error, Rational, Result};
 
-/// A row of a mode: the constant and the coefficients that are not 0, by column; polynomials in the
-/// parameters, of degree one in each.
+/// A row of a mode: the constant and the nonzero coefficients, by column; polynomials in the
+/// parameters, of degree at most one in each.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Row {
     constant: Polynomial,
@@ -20,18 +20,18 @@ struct Row {
 /// An affine map of the state whose coefficients depend on the parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mode {
-    /// What the protocol calls it.
+    /// Its name in the protocol.
     pub name: String,
     rows: Vec<Row>,
 }
 
 impl Mode {
-    /// The mode that a step is, found by executing it once on symbols. `step` is given the embedding
-    /// of numbers, the parameters and the state.
+    /// The mode of a step, found by executing it once on symbols. `step` is given the embedding of
+    /// numbers, the parameters and the state.
     ///
     /// # Errors
-    /// The step is not affine in the state, or of higher degree than one in a parameter; or it has
-    /// another number of components than the state.
+    /// The step is not affine in the state, or of a degree above one in a parameter; or it does not
+    /// have as many components as the state.
     pub fn executed(
         name: &str,
         variables: usize,
@@ -104,8 +104,8 @@ impl Mode {
         self.rows.get(row).map(|r| (&r.constant, &r.entries))
     }
 
-    /// The parameters on which what the form `sum of coefficients[j] * x_j` becomes depends,
-    /// ascending. Products that cancel do not count.
+    /// The parameters that the next value of the form `sum of coefficients[j] * x_j` depends on,
+    /// ascending, after terms have cancelled.
     pub fn parameters_in(&self, coefficients: &[Rational]) -> Vec<usize> {
         let mut sums: BTreeMap<Option<usize>, Polynomial> = BTreeMap::new();
         for (c, row) in coefficients.iter().zip(&self.rows).filter(|(c, _)| !c.is_zero()) {
@@ -125,7 +125,7 @@ impl Mode {
         found
     }
 
-    /// Which agent's next state depends on which other's, listener first.
+    /// Which agent's next state depends on which others, as (listener, speaker).
     pub(super) fn links(&self, agents: usize, per_agent: usize) -> Vec<(usize, usize)> {
         let pairs = self.rows.iter().enumerate().flat_map(|(r, row)| {
             row.entries.keys().map(move |j| (r / per_agent.max(1), j / per_agent.max(1)))

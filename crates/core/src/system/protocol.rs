@@ -8,8 +8,8 @@ use cordon_spec::{Params, Scalar, State};
 use super::{Parameter, ParameterKind};
 use crate::Rational;
 
-/// A protocol whose step is one generic function. Implement it for a type of your own, and
-/// [`System::of`](super::System::of) makes it a system for every engine.
+/// A protocol whose step is one generic function. [`System::of`](super::System::of) turns a type that
+/// implements it into a system for every engine.
 pub trait Protocol {
     /// Number of agents, at least 1.
     fn agents(&self) -> usize;
@@ -22,7 +22,7 @@ pub trait Protocol {
     /// The parameters, in the order in which `step` takes them.
     fn parameters(&self) -> Vec<Parameter>;
 
-    /// What it is, for people.
+    /// A title, for display.
     fn title(&self) -> String {
         "a protocol".to_owned()
     }

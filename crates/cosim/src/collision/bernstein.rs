@@ -6,11 +6,11 @@ pub(super) const MOTION: usize = 5;
 /// Coefficients of the square of one.
 pub(super) const SQUARE: usize = 2 * MOTION - 1;
 
-/// Halvings until a zero is read off a straight line. Around a double zero rounding blurs the
-/// sign over about 1e-8 of the step, so that more would find noise.
+/// Bisections before a zero is read off a straight line. Near a double zero, rounding errors hide the
+/// sign over about 1e-8 of the step, so that more bisections would find noise.
 const HALVINGS: u32 = 26;
 
-/// Zeros nearer to one another than this are one.
+/// Zeros closer to one another than this count as one.
 const RESOLUTION: f64 = 1e-6;
 
 /// Coefficients in Bernstein form. The first and the last are the values at 0 and 1.
@@ -35,14 +35,14 @@ impl Bernstein<MOTION> {
         ])
     }
 
-    /// The same but for the value at 1.
+    /// The same polynomial, except for the value at 1.
     pub(super) fn ending_at(mut self, end: f64) -> Self {
         self.0[MOTION - 1] = end;
         self
     }
 
     pub(super) fn squared(&self) -> Bernstein<SQUARE> {
-        // Choices of k out of 4, and out of 8.
+        // Binomial coefficients of 4, and of 8.
         const MOTIONS: [f64; MOTION] = [1.0, 4.0, 6.0, 4.0, 1.0];
         const SQUARES: [f64; SQUARE] = [1.0, 8.0, 28.0, 56.0, 70.0, 56.0, 28.0, 8.0, 1.0];
         let mut square = [0.0; SQUARE];
@@ -56,7 +56,7 @@ impl Bernstein<MOTION> {
 }
 
 impl<const N: usize> Bernstein<N> {
-    /// The polynomial that has this value everywhere.
+    /// The constant polynomial.
     pub(super) fn constant(value: f64) -> Self {
         Self([value; N])
     }
@@ -106,12 +106,12 @@ impl<const N: usize> Bernstein<N> {
         (Self(left), Self(right))
     }
 
-    /// The zeros in (0, 1], ascending; a double one counts once. None where the polynomial is
-    /// zero everywhere: two drones that move together do not meet anew.
+    /// The zeros in (0, 1], ascending; a double one counts once. None where the polynomial is zero
+    /// everywhere: two drones that move together do not meet again.
     pub(super) fn zeros(&self) -> Vec<f64> {
         let mut zeros = Vec::new();
         self.collect_zeros(0.0, 1.0, HALVINGS, &mut zeros);
-        // A double zero is found from both sides, and where it is blurred, in a cluster.
+        // A double zero is found from both sides and, because of rounding, as a cluster.
         let mut last = f64::NEG_INFINITY;
         zeros.retain(|&s| {
             let anew = s - last > RESOLUTION;
@@ -127,7 +127,7 @@ impl<const N: usize> Bernstein<N> {
         if inner.iter().all(|c| *c == 0.0) && first == 0.0 && last == 0.0 {
             return;
         }
-        // The beginning belongs to the piece before.
+        // The beginning belongs to the previous piece.
         let rest = || inner.iter().copied().chain([last]);
         let one_sign = rest().all(|c| c > 0.0) || rest().all(|c| c < 0.0);
         if one_sign && (first == 0.0 || (first > 0.0) == (last > 0.0)) {

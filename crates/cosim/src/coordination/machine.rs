@@ -11,13 +11,13 @@ use super::{Law, Settings};
 use crate::quotient::Quotient;
 use crate::unit::Value;
 
-/// The state machine of one drone. A state is there but while the spec turns it into the next.
+/// The state machine of one drone. A state is absent only while the spec computes the next one.
 #[derive(Clone, Debug)]
 pub(super) enum Machine {
     /// The paper's local machine (listing 6); no state before the first message.
     Local(Box<LocalParams<Quotient>>, Option<SimState<Quotient>>),
-    /// Equations 6 and 8, seen from one drone: the drone itself is number 0, its neighbours
-    /// follow, linked with it alone.
+    /// Equations 6 and 8 from the point of view of one drone: the drone itself is number 0, followed by
+    /// its neighbours, each linked with it alone.
     Star(Box<Star>, Option<State<Vec<Quotient>>>),
     /// A protocol file's rule.
     Own(Box<OwnMachine>),
@@ -27,11 +27,11 @@ pub(super) enum Machine {
 pub(super) struct Star {
     weight: Quotient,
     counter_limit: u32,
-    /// For formation: the displacements, 0 for everyone but the drone itself.
+    /// For formation: the displacements, 0 for every agent except the drone itself.
     displacements: Option<Vec<Quotient>>,
 }
 
-/// Drone 0 linked with everyone else.
+/// Drone 0 linked with every other one.
 struct Hub {
     count: usize,
 }
@@ -50,7 +50,7 @@ impl Machine {
     pub(super) fn new(settings: &Settings) -> Self {
         let own = Quotient::from(&settings.start);
         let weight = Quotient::from(&settings.weight);
-        // A period of 0 is refused before it gets here.
+        // A period of 0 has been refused before.
         let counter_limit = settings.period.saturating_sub(1);
         let star = |neighbours: usize, displacement: Option<Quotient>| {
             let drones = vec![own.clone(); neighbours + 1];
@@ -91,7 +91,7 @@ impl Machine {
         }
     }
 
-    /// Whether the next tick is an update, which reads the neighbours' positions.
+    /// Whether the next tick is an update, in which the neighbours' positions are read.
     pub(super) fn fires(&self) -> bool {
         match self {
             Self::Local(params, _) => params.ratio.reached_by(self.counter()),
@@ -100,7 +100,7 @@ impl Machine {
         }
     }
 
-    /// Whether an update looks at an input.
+    /// Whether an update reads an input.
     pub(super) fn looks_at(&self, input: usize) -> bool {
         match self {
             Self::Own(own) => own.looks_at(input),
@@ -108,7 +108,7 @@ impl Machine {
         }
     }
 
-    /// One tick. `heard` has the neighbours' positions in order, or is empty where the tick is no
+    /// One tick. `heard` has the neighbours' positions in order, or is empty where the tick is not an
     /// update.
     pub(super) fn tick(&mut self, heard: Vec<Quotient>) {
         match self {
@@ -145,7 +145,7 @@ impl Machine {
         }
     }
 
-    /// Of a protocol file's machine the value of another variable than the position.
+    /// For a protocol file's machine, the value of a variable other than the position.
     pub(super) fn beside(&self, variable: usize) -> Option<&Quotient> {
         match self {
             Self::Own(own) => own.state.get(variable),
@@ -153,7 +153,7 @@ impl Machine {
         }
     }
 
-    /// What a machine remembers beside position and counter.
+    /// The memory of the machine besides position and counter.
     pub(super) fn besides(&self) -> Vec<Value> {
         match self {
             Self::Own(own) => own.memory(),
@@ -161,7 +161,7 @@ impl Machine {
         }
     }
 
-    /// Takes up what it remembered; whether it could.
+    /// Restores that memory; returns whether it fits.
     pub(super) fn recall_besides(&mut self, memory: &[Value]) -> bool {
         match self {
             Self::Own(own) => own.recall(memory),
@@ -169,7 +169,7 @@ impl Machine {
         }
     }
 
-    /// Puts the drone back to where it was: an update that is skipped.
+    /// Restores the position before the last update: the update is skipped.
     pub(super) fn put_back(&mut self, own: Quotient) {
         match self {
             Self::Local(_, s) => {
@@ -195,7 +195,7 @@ impl Machine {
         }
     }
 
-    /// Takes up where the drone was at `own` and the counter at `counter`.
+    /// Resumes with the drone at `own` and the counter at `counter`.
     pub(super) fn resume(&mut self, own: Quotient, counter: u32) {
         self.put_back(own);
         match self {

@@ -1,4 +1,4 @@
-//! One drone's share of a protocol file: the rows of its own variables.
+//! One drone's part of a protocol file: the rows of its own variables.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ use cordon_core::Rational;
 use cordon_core::system::{Map, System};
 use cordon_run::scenario::Own;
 
-/// The state variable along which drones fly, in m.
+/// The state variable that is the position along the line, in m.
 pub(crate) const POSITION: &str = "x";
 
 /// Which variable of an agent is its position: `x`, or the only one.
@@ -20,7 +20,7 @@ pub(crate) fn position_of(system: &System) -> usize {
     system.variables.iter().position(|v| v.name == POSITION).unwrap_or(0)
 }
 
-/// The state variable that says where drones are to be across the line, in m.
+/// The state variable that is the desired position across the line, in m.
 pub(crate) const ACROSS: &str = "y";
 
 /// Which variable of an agent of a planar protocol is its position across the line.
@@ -29,10 +29,10 @@ pub(crate) fn across_of(system: &System) -> Option<usize> {
     found.filter(|place| *place != position_of(system))
 }
 
-/// What a protocol file has one drone do: the same in every step, or rules in turn.
+/// A protocol file's rule for one drone: the same in every step, or several in turn.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OwnLaw {
-    /// Names of an agent's state variables.
+    /// Names of the state variables of an agent.
     pub variables: Vec<String>,
     /// Which of them is the position.
     pub position: usize,
@@ -40,19 +40,19 @@ pub struct OwnLaw {
     pub across: Option<usize>,
     /// The drone's own variables at the start.
     pub start: Vec<Rational>,
-    /// What it hears: of whom, which variable; in the order of its inputs.
+    /// What it hears, as (drone, variable), in the order of its inputs.
     pub heard: Vec<(usize, usize)>,
-    /// Of each update in turn a row for each variable: the constant, coefficients of the own
-    /// variables, coefficients of what is heard.
+    /// For each update in turn, a row for each variable: the constant, the coefficients of the own
+    /// variables, the coefficients of what is heard.
     pub updates: Vec<Vec<[Vec<Rational>; 3]>>,
-    /// Of a unit whose parameters say which drone it is and what the protocol's parameters are: the
-    /// protocol, and the drone.
+    /// The protocol and the drone, for a unit whose parameters select the drone and the values of the
+    /// protocol's parameters.
     pub open: Option<(Own, usize)>,
 }
 
 impl OwnLaw {
-    /// The share of a drone. Where the protocol leaves choices, every link works, every drone acts
-    /// and no message is late: what goes wrong in a flight, its faults say.
+    /// The part of one drone. Choices of the protocol are set to normal operation: every link works,
+    /// every drone acts and no message is late. Faults are modelled by the flight instead.
     pub fn of(own: &Own, start: &[Rational], drone: usize) -> Self {
         let maps = own.cycle().unwrap_or_default();
         let mine = places(own, drone);
@@ -64,8 +64,8 @@ impl OwnLaw {
         Self::hearing(own, start, drone, heard)
     }
 
-    /// The share of a drone that hears every variable of every drone, itself included, and looks at
-    /// those of its rule: a unit that can be made any drone's.
+    /// The part of a drone that hears every variable of every drone, itself included, but reads only
+    /// those in its rule: such a unit can become any drone's.
     pub fn open(own: &Own, start: &[Rational], drone: usize) -> Self {
         let variables = 0..own.system.variables.len();
         let every = |j: usize| variables.clone().map(move |v| (j, v));
@@ -86,10 +86,10 @@ impl OwnLaw {
         }
     }
 
-    /// Reads the rule of an open unit anew, as its parameters are now.
+    /// Derives the rule of an open unit again, from the current values of its parameters.
     ///
     /// # Errors
-    /// There is no such drone: how many there are.
+    /// There is no such drone; the error is the number of drones.
     pub(super) fn settle(&mut self) -> Result<(), usize> {
         let Some((own, drone)) = &self.open else { return Ok(()) };
         if *drone >= own.system.agents {
@@ -109,8 +109,8 @@ impl OwnLaw {
         self.named(&format!("heard_{j}"), v)
     }
 
-    /// The name of a variable that there is for every state variable: that of the position is the
-    /// plain one.
+    /// The name of a variable that exists once per state variable: for the position it is the plain
+    /// name.
     pub fn named(&self, plain: &str, v: usize) -> String {
         match self.variables.get(v).filter(|_| v != self.position) {
             Some(name) => format!("{plain}_{name}"),
@@ -119,18 +119,18 @@ impl OwnLaw {
     }
 }
 
-/// The places of a drone's variables in the state.
+/// The indices of a drone's variables in the state.
 fn places(own: &Own, drone: usize) -> std::ops::Range<usize> {
     let per_agent = own.system.variables.len();
     drone * per_agent..(drone + 1) * per_agent
 }
 
-/// The rows of a drone in each update in turn.
+/// The rows of a drone, for each update in turn.
 fn updates(own: &Own, drone: usize, heard: &[(usize, usize)]) -> Vec<Vec<[Vec<Rational>; 3]>> {
     let per_agent = own.system.variables.len();
     let mine = places(own, drone);
     let others = heard.iter().map(|(j, v)| j * per_agent + v);
-    // What it hears of itself it knows already.
+    // What it hears of itself is known already.
     let others: Vec<_> = others.map(|j| Some(j).filter(|j| !mine.contains(j))).collect();
     let coefficient = |row: &[(usize, Rational)], column: Option<usize>| {
         let found = row.iter().find(|(j, _)| Some(*j) == column);
@@ -163,18 +163,18 @@ impl Law {
     }
 }
 
-/// The machine that a drone is, by a protocol file.
+/// The state machine of a drone under a protocol file.
 #[derive(Clone, Debug)]
 pub(super) struct OwnMachine {
     law: OwnLaw,
     limit: u32,
     /// Ticks since the last update.
     pub counter: u32,
-    /// Updates that were made so far.
+    /// Updates made so far.
     updates: u64,
     /// The drone's own variables.
     pub state: Vec<Quotient>,
-    /// They, before the last update.
+    /// Its own variables before the last update.
     before: Vec<Quotient>,
 }
 
@@ -195,7 +195,7 @@ impl OwnMachine {
         self.counter == self.limit
     }
 
-    /// Whether some rule looks at an input.
+    /// Whether some rule reads an input.
     pub fn looks_at(&self, input: usize) -> bool {
         let mut rows = self.law.updates.iter().flatten();
         rows.any(|[_, _, heard]| heard.get(input).is_some_and(|a| !a.is_zero()))
@@ -206,7 +206,7 @@ impl OwnMachine {
         self.state.get(self.law.position)
     }
 
-    /// One tick. `heard` is read where the tick is an update.
+    /// One tick. `heard` is read only where the tick is an update.
     pub fn tick(&mut self, heard: &[Quotient]) {
         if !self.fires() {
             self.counter += 1;
@@ -229,7 +229,7 @@ impl OwnMachine {
         self.updates += 1;
     }
 
-    /// Undoes the last update of every variable: it was skipped.
+    /// Undoes the last update of all variables: it was skipped.
     pub fn put_back(&mut self, own: Quotient) {
         self.state = self.before.clone();
         if let Some(place) = self.state.get_mut(self.law.position) {
@@ -237,14 +237,14 @@ impl OwnMachine {
         }
     }
 
-    /// The updates so far, and all variables.
+    /// The number of updates so far, and all variables.
     pub fn memory(&self) -> Vec<Value> {
         let updates = Value::Integer(i64::try_from(self.updates).unwrap_or(i64::MAX));
         let state = self.state.iter().map(|x| Value::Exact(x.clone()));
         std::iter::once(updates).chain(state).collect()
     }
 
-    /// Takes up what was remembered; whether it could.
+    /// Restores the memory; returns whether it fits.
     pub fn recall(&mut self, memory: &[Value]) -> bool {
         let [Value::Integer(updates), state @ ..] = memory else { return false };
         let numbers = state.iter().map(|value| match value {

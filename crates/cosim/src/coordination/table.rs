@@ -10,19 +10,19 @@ use crate::unit::{Causality, Dimension, Value, Variable};
 use cordon_core::Rational;
 use cordon_core::exact;
 
-/// What a variable of a coordination unit is.
+/// The meaning of a variable of a coordination unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slot {
-    /// Input: a neighbour's position, by its place (0 and 1 are `prec` and `foll`).
+    /// Input: a neighbour's position, by its index (0 and 1 are `prec` and `foll`).
     Heard(usize),
     /// Output `x_d`: the desired position as a double.
     Desired,
     /// Output `y_d`: the desired position across the line, of planar protocols.
     DesiredAcross,
-    /// Output `own`: the desired position, exact. Where positions travel exactly.
+    /// Output `own`: the exact desired position. Only where positions are exchanged exactly.
     Own,
-    /// Output: another state variable of a protocol file than the position, as it travels to the
-    /// other drones.
+    /// Output: a state variable of a protocol file other than the position, as it is sent to the other
+    /// drones.
     Beside(usize),
     /// Parameter `id`: the drone's place in the line, from 0.
     Id,
@@ -36,10 +36,10 @@ pub enum Slot {
     Weight,
     /// Parameter `start`: the desired position at the start, in m.
     Start,
-    /// Parameter: another state variable of a protocol file than the position, at the start.
+    /// Parameter: a state variable of a protocol file other than the position, at the start.
     StartOf(usize),
-    /// Parameter `parameters.eps`: a protocol file's parameter, by its place among those that are
-    /// numbers throughout.
+    /// Parameter `parameters.eps`: a protocol file's parameter, by its index among those that are
+    /// constant.
     Constant(usize),
     /// Parameter `period`, in ticks.
     Period,
@@ -47,13 +47,12 @@ pub enum Slot {
     FirstUpdate,
     /// Parameter `skip_lost`: skip an update for which a message was lost.
     SkipLost,
-    /// Parameter `displacement`: sum of the wanted displacements from the neighbours, in m
+    /// Parameter `displacement`: sum of the desired displacements from the neighbours, in m
     /// (formation).
     Displacement,
 }
 
-/// Start values of the inputs: what is heard before the first exchange, which is the drone's
-/// own start.
+/// Start values of the inputs: before the first exchange a unit hears its own start.
 pub(super) fn starts(settings: &Settings) -> Vec<Value> {
     let count = match &settings.law {
         Law::Coverage { .. } => 2,
@@ -180,7 +179,7 @@ fn parameters(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
         Law::Consensus { .. } => {}
     }
     let s = settings;
-    // A protocol file's weights are in its rule.
+    // A protocol file has its weights in its rule.
     if !matches!(s.law, Law::Own(_)) {
         parameter(Slot::Weight, "weight", none, exact(&s.weight), "weight eps of the neighbours");
     }
@@ -193,7 +192,7 @@ fn parameters(settings: &Settings, rows: &mut Vec<(Slot, Variable)>) {
             let start = phase_value(s.exchange, s.phase);
             parameter(Slot::FirstUpdate, "first_update", none, start, text);
         }
-        // Not every tool sets texts.
+        // Not every tool can set strings.
         Exchange::Double | Exchange::SixDigits => {
             let text =
                 "whether the first update is in the last tick of the period, not in the first";

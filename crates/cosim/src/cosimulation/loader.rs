@@ -1,4 +1,4 @@
-//! What loads FMUs in the place of units.
+//! Loading FMUs that replace units.
 
 use std::fmt;
 use std::sync::Arc;
@@ -7,24 +7,24 @@ use crate::unit::Unit;
 use cordon_core::{Error, Result};
 use cordon_run::scenario::Substitute;
 
-/// Loads an FMU in the place of a unit: the answer has the unit's name and variables.
+/// Loads an FMU that replaces a unit: the result has the unit's name and variables.
 #[derive(Clone)]
 pub struct Loader(Arc<Load>);
 
 type Load = dyn Fn(&Substitute, Box<dyn Unit>) -> Result<Box<dyn Unit>> + Send + Sync;
 
 impl Loader {
-    /// A loader that puts what `load` answers in the place of a unit.
+    /// A loader that replaces a unit by the result of `load`.
     pub fn new(
         load: impl Fn(&Substitute, Box<dyn Unit>) -> Result<Box<dyn Unit>> + Send + Sync + 'static,
     ) -> Self {
         Self(Arc::new(load))
     }
 
-    /// Loads the FMU that takes the place of a unit.
+    /// Loads the FMU that replaces a unit.
     ///
     /// # Errors
-    /// It cannot be loaded, or does not fit its place.
+    /// It cannot be loaded, or does not fit the unit.
     pub(super) fn load(
         &self,
         substitute: &Substitute,
@@ -41,7 +41,7 @@ impl fmt::Debug for Loader {
 }
 
 impl Default for Loader {
-    /// Where nothing can load FMUs.
+    /// The loader of a program that cannot load FMUs.
     fn default() -> Self {
         Self::new(|substitute, unit| {
             Err(Error::input(format!(

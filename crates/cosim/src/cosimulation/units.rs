@@ -48,14 +48,14 @@ impl Cosimulation {
         }
     }
 
-    /// The coordination unit of a drone in a run whose every value is exact.
+    /// The coordination unit of a drone in a run in exact arithmetic.
     pub(crate) fn exact_coordination(&self, drone: usize) -> Coordination {
         let settings = self.settings(drone, Exchange::Exact);
         Coordination::new(Seat::coordination(drone).name(), settings)
     }
 
-    /// The coordination unit of a drone of a protocol file, as it is exported: its parameters say
-    /// whose it is. `None` of the program's own protocols.
+    /// The coordination unit of a drone of a protocol file, as exported: its parameters select the
+    /// drone. `None` for the built-in protocols.
     #[cfg(feature = "package")]
     pub(crate) fn open_coordination(&self, drone: usize) -> Option<Coordination> {
         let carried = Carried::of(&self.scenario)?;
@@ -71,7 +71,8 @@ impl Cosimulation {
         port(&self.coordination(drone), drone, slot)
     }
 
-    /// The exact desired position of a drone along an axis, in a run whose every value is exact.
+    /// The variable with the exact desired position of a drone along an axis, in a run in exact
+    /// arithmetic.
     pub(crate) fn exact_slot(&self, axis: Axis) -> Slot {
         let across = self.scenario.own().and_then(own_flight::across);
         match (axis, across) {
@@ -80,7 +81,7 @@ impl Cosimulation {
         }
     }
 
-    /// A variable of a drone's coordination unit in a run whose every value is exact.
+    /// A variable of a drone's coordination unit in a run in exact arithmetic.
     pub(crate) fn exact_port(&self, drone: usize, slot: Slot) -> Result<Port> {
         port(&self.exact_coordination(drone), drone, slot)
     }

@@ -1,4 +1,4 @@
-//! Three units a drone, and what is connected with what.
+//! The three units of each drone, and their connections.
 
 use std::collections::BTreeSet;
 
@@ -18,8 +18,8 @@ use cordon_core::{Error, Rational, Result, exact};
 use cordon_run::scenario::Protocol;
 
 impl Cosimulation {
-    /// The drones that a drone hears, in the order of its inputs; for coverage the end drones
-    /// have one only.
+    /// The drones that a drone hears, in the order of its inputs; for coverage the end drones have only
+    /// one.
     pub fn neighbours(&self, drone: usize) -> Vec<usize> {
         match &self.scenario.protocol {
             Protocol::Coverage { .. } => {
@@ -37,7 +37,7 @@ impl Cosimulation {
         }
     }
 
-    /// What a drone hears: of whom, the output that is sent, and the input that receives it.
+    /// What a drone hears: from whom, the output that is sent, and the input that receives it.
     fn heard(&self, drone: usize, position: Slot) -> Vec<(usize, Slot, Slot)> {
         let hears = |(k, j): (usize, usize)| {
             let input = match &self.scenario.protocol {
@@ -55,7 +55,7 @@ impl Cosimulation {
         heard.map(|(k, &(j, v))| (j, sent(v), Slot::Heard(k))).collect()
     }
 
-    /// Units and connections; every unit is at its [`Seat`].
+    /// Units and connections; every unit is at the index given by its [`Seat`].
     ///
     /// # Errors
     /// A fault that does not fit the swarm, or an FMU that does not fit its place.
@@ -75,7 +75,7 @@ impl Cosimulation {
         Ok(wiring)
     }
 
-    /// Units of this program and their connections.
+    /// The units of this program and their connections.
     fn wired_here(&self) -> Result<Wiring> {
         let number = |x: &Rational| Value::Real(exact::to_f64(x));
         let mut held = vec![(control::var::Z_D, number(&self.z_d))];
@@ -121,7 +121,7 @@ impl Cosimulation {
         for i in 0..count {
             for (j, output, input) in self.heard(i, sent) {
                 let (from, to) = (port(j, output)?, port(i, input)?);
-                // Positions are exchanged all at once, whatever the master, unless an order is said.
+                // Positions are exchanged all at once, whatever the master, unless an order is given.
                 let timing = match &self.order {
                     Some(order) if before(order, j, i) => Timing::Ordered,
                     _ => Timing::Sampled,
@@ -134,7 +134,7 @@ impl Cosimulation {
             if matches!(self.scenario.protocol, Protocol::Coverage { .. }) {
                 for (end, slot) in [(0, Slot::Heard(0)), (count - 1, Slot::Heard(1))] {
                     if i == end {
-                        // What an end drone would hear from beyond; it does not look at it.
+                        // What an end drone would hear from beyond the line; it does not read it.
                         let at = port(i, slot)?;
                         if let Some(unit) = coordination.get(i) {
                             wiring.hold(at, unit.get(at.variable)?);
@@ -169,12 +169,12 @@ fn before(order: &[usize], drone: usize, other: usize) -> bool {
     place(drone) < place(other)
 }
 
-/// The three units of a drone and which of their variables go together.
+/// The three units of a drone, and which of their variables are connected.
 pub(crate) struct Body<'b> {
     pub(crate) coordination: &'b dyn Fn(usize) -> Coordination,
     pub(crate) control: &'b dyn Fn(usize) -> Box<dyn Unit>,
     pub(crate) plant: &'b dyn Fn(usize) -> Box<dyn Unit>,
-    /// The outputs that the controller follows, each with its input there.
+    /// The outputs that the controller follows, each with the controller's input.
     pub(crate) desired: Vec<(Slot, usize)>,
     /// The controller's inputs from the plant, and the plant's first output.
     pub(crate) state: std::ops::Range<usize>,

@@ -14,14 +14,14 @@ use super::model_description::{FmuVariable, ModelDescription};
 use super::package::platform;
 use cordon_core::{Error, Result, files};
 
-/// An FMU on disk, its model description read.
+/// An FMU on disk with its model description.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fmu {
     /// Where the archive is.
     pub path: PathBuf,
-    /// What its model description says.
+    /// Its parsed model description.
     description: ModelDescription,
-    /// The model of this program that it was exported from.
+    /// The model of this program that it was exported from, if any.
     model: Option<Model>,
     /// Platforms that it has binaries for.
     platforms: Vec<String>,
@@ -33,9 +33,9 @@ impl Fmu {
     /// Reads an FMU.
     ///
     /// # Errors
-    /// There is no such file; it is no archive, or a truncated one, or unpacks to more than a
-    /// gigabyte; it has no model description, one that is too large, or one of another version
-    /// of the standard. The message names the file.
+    /// There is no such file; it is not an archive, is truncated, or unpacks to more than a gigabyte;
+    /// the model description is missing, too large, or of another version of the standard. The message
+    /// names the file.
     pub fn open(path: &Path) -> Result<Self> {
         let fail = |what: String| Error::input(format!("`{}`: {what}", path.display()));
         let mut archive = opened(path)?;
@@ -68,7 +68,7 @@ impl Fmu {
         Ok(Self { path: path.to_owned(), description, model, platforms, files })
     }
 
-    /// The model of this program that the FMU was exported from.
+    /// The model of this program that the FMU was exported from, if any.
     pub fn model(&self) -> Option<&Model> {
         self.model.as_ref()
     }
@@ -78,7 +78,7 @@ impl Fmu {
         self.description.version
     }
 
-    /// Identifier with which instances are made.
+    /// Identifier required to make instances.
     pub fn token(&self) -> &str {
         &self.description.token
     }
@@ -88,7 +88,7 @@ impl Fmu {
         self.description.variables.iter().find(|v| v.name == name)
     }
 
-    /// The path, inside, of the binary with which it can be co-simulated on this platform.
+    /// The path, within the archive, of the binary for co-simulation on this platform.
     ///
     /// # Errors
     /// It is not for co-simulation, or has no binary for this platform.
@@ -112,24 +112,24 @@ impl Fmu {
     }
 }
 
-/// Most bytes of a text: a model description of hundreds of thousands of variables.
+/// Most bytes of a text file: a model description of hundreds of thousands of variables.
 const LARGEST_TEXT: u64 = 1 << 26;
 
-/// Most bytes of all files of an archive, unpacked.
+/// Most bytes of all files of an archive, uncompressed.
 const LARGEST_CONTENT: u64 = 1 << 30;
 
 /// Most files of an archive.
 const MOST_FILES: usize = 100_000;
 
-/// What an archive is read from: a file, or the memory that holds a file of another archive.
+/// The source of an archive: a file, or a file of another archive in memory.
 pub(crate) trait Stored: Read + Seek {}
 
 impl<T: Read + Seek> Stored for T {}
 
-/// An archive that is read.
+/// An archive open for reading.
 pub(crate) type Archive = ZipArchive<Box<dyn Stored>>;
 
-/// Opens an archive, which has to be within the limits. A path may lead into another archive:
+/// Opens an archive and checks the limits. A path may lead into another archive:
 /// `system.ssp/resources/plant.fmu`.
 pub(crate) fn opened(path: &Path) -> Result<Archive> {
     let outer = path.ancestors().skip(1).find(|a| a.is_file());
@@ -157,7 +157,7 @@ fn archive(path: &Path, stored: Box<dyn Stored>) -> Result<Archive> {
         let found = archive.len();
         return Err(fail(format!("it has {found} files: expected at most {MOST_FILES}")));
     }
-    // Where the archive says less than it has, unpacking stops at what it says.
+    // Where the archive understates its size, unpacking stops at the stated size.
     match archive.decompressed_size() {
         Some(size) if size > u128::from(LARGEST_CONTENT) => {
             Err(fail(format!("it unpacks to {size} bytes: expected at most {LARGEST_CONTENT}")))
@@ -166,7 +166,7 @@ fn archive(path: &Path, stored: Box<dyn Stored>) -> Result<Archive> {
     }
 }
 
-/// A text of an archive, by its path inside. `what` is what has such a file, for messages.
+/// A text file of an archive, by its path within it. `what` names the kind of archive, for messages.
 pub(crate) fn entry(archive: &mut Archive, name: &str, what: &str) -> Result<String, String> {
     let entry = archive.by_name(name);
     let entry = entry.map_err(|e| format!("expected {what} with a `{name}`: {e}"))?;
@@ -178,7 +178,7 @@ pub(crate) fn entry(archive: &mut Archive, name: &str, what: &str) -> Result<Str
     if u64::try_from(bytes.len()).is_ok_and(|length| length > LARGEST_TEXT) {
         return Err(format!("its `{name}` is too large: expected at most {LARGEST_TEXT} bytes"));
     }
-    // What is no UTF-8 is what older tools write, ISO 8859-1: its bytes are Unicode's numbers.
+    // Older tools write ISO 8859-1, whose bytes are Unicode code points.
     let latin =
         |e: std::string::FromUtf8Error| e.as_bytes().iter().copied().map(char::from).collect();
     Ok(String::from_utf8(bytes).unwrap_or_else(latin))
@@ -189,7 +189,7 @@ impl Fmu {
     /// Unpacks the archive into a temporary folder.
     ///
     /// # Errors
-    /// It cannot be unpacked, a path in it leads out of it, or it is too large.
+    /// It cannot be unpacked, one of its paths leads outside it, or it is too large.
     pub(super) fn unpack(&self) -> Result<Folder> {
         let fail = |what: String| Error::input(format!("`{}`: {what}", self.path.display()));
         let failed = |e: &dyn std::fmt::Display| fail(format!("it cannot be unpacked: {e}"));

@@ -1,4 +1,4 @@
-//! Where the binary inside exported FMUs comes from: the crate `cordon-fmu`, compiled.
+//! Finds the binary that is put into exported FMUs: the compiled crate `cordon-fmu`.
 
 use std::env;
 use std::hint::black_box;
@@ -17,10 +17,10 @@ fn file_name() -> String {
 /// How to make the binary, for messages.
 const BUILD: &str = "cargo build --release -p cordon-fmu";
 
-/// The bytes of the binary: the file that the user named, or the one beside this program.
+/// The bytes of the binary: the file named by the user, or the one beside this program.
 ///
-/// Where cargo runs this program (`cargo run -- fmu export ..`), cargo builds that one first,
-/// so that it is there and up to date.
+/// Under cargo (`cargo run -- fmu export ..`), cargo builds that crate first, so that the binary exists
+/// and is up to date.
 ///
 /// # Errors
 /// There is none, or it cannot be read; the message says how to build it.
@@ -43,7 +43,7 @@ pub fn load(named: Option<&Path>) -> Result<Vec<u8>> {
 
 /// Refuses anything but the compiled crate of this version.
 fn expect_ours(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>> {
-    // The mark is in this program too; its complement is in the library alone.
+    // This program contains the mark too, but only the library contains its complement.
     let mark: Vec<u8> = black_box(BINARY_MARK).bytes().map(|b| !b).collect();
     if bytes.windows(mark.len()).any(|found| found == mark) {
         return Ok(bytes);
@@ -63,8 +63,7 @@ fn missing(path: &Path) -> Error {
     ))
 }
 
-/// Lets cargo build the binary, where cargo is what runs this program: it says so in two
-/// variables of the environment.
+/// Builds the binary if this program runs under cargo, which sets two environment variables.
 fn build_under_cargo(folder: &Path) -> Result<()> {
     let (Some(cargo), Some(root)) = (env::var_os("CARGO"), env::var_os("CARGO_MANIFEST_DIR"))
     else {

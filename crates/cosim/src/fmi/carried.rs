@@ -1,4 +1,4 @@
-//! A protocol file inside an FMU: the file, and a scenario that names it.
+//! The contents of a protocol FMU: the protocol file, and a scenario that names it.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -16,21 +16,21 @@ pub const SCENARIO: &str = "scenario.toml";
 /// The protocol file, beside it.
 pub const PROTOCOL: &str = "protocol.toml";
 
-/// A protocol file's coordination units, whichever drone's: what their FMU carries.
+/// The content of the FMU of a protocol file's coordination units, for any drone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Carried {
     /// The protocol, with values for its parameters.
     pub own: Own,
     /// Every state variable at the start, drone by drone.
     pub start: Vec<Rational>,
-    /// Ticks from update to update, at least 1.
+    /// Ticks from one update to the next, at least 1.
     pub period: u32,
-    /// Which tick the first update falls in.
+    /// The tick of the first update.
     pub phase: Phase,
 }
 
 impl Carried {
-    /// What the units of a scenario carry; `None` where its protocol is one of this program.
+    /// The content for the units of a scenario; `None` for built-in protocols.
     pub fn of(scenario: &Scenario) -> Option<Self> {
         let own = scenario.own()?.clone();
         let Scenario { start, period, phase, .. } = scenario;
@@ -50,7 +50,7 @@ impl Carried {
              [parameters]\n"
         );
         for (parameter, value) in self.own.constants() {
-            // Memory takes every write.
+            // Writing to memory cannot fail.
             let _ = writeln!(text, "{} = \"{value}\"", parameter.name);
         }
         [(SCENARIO, text), (PROTOCOL, self.own.text.clone())]
@@ -70,7 +70,7 @@ impl Carried {
         )
     }
 
-    /// Reads the two files' texts; `resources` stands for their folder in messages.
+    /// Parses the texts of the two files; `resources` stands for their folder in messages.
     ///
     /// # Errors
     /// They are not as [`files`](Self::files) writes them.
@@ -83,7 +83,7 @@ impl Carried {
         })
     }
 
-    /// Drone `drone` as a unit that can be made any other one.
+    /// Drone `drone` as a unit that can be switched to any other drone.
     pub fn settings(&self, drone: usize, exchange: Exchange, on_loss: OnLoss) -> Settings {
         let law = OwnLaw::open(&self.own, &self.start, drone);
         Settings {

@@ -11,17 +11,17 @@ use crate::unit::{Causality, Kind, Value, Variable};
 use cordon_core::exact;
 use cordon_core::text::one_line;
 
-/// End of the run that tools propose, in seconds: that of the paper's figures.
+/// Stop time proposed to importers, in seconds: that of the paper's figures.
 const STOP_TIME: &str = "25";
 
-/// Elements of the list of units.
+/// XML elements of the unit definitions.
 const UNITS: units::Elements =
     units::Elements { list: "UnitDefinitions", unit: "Unit", base: "BaseUnit" };
 
 /// The model description of an exported unit.
 ///
 /// # Errors
-/// None: memory takes every write. The signature is that of the XML writer.
+/// None: writing to memory cannot fail. The signature is that of the XML writer.
 pub fn model_description(model: &Model, version: FmiVersion) -> Result<Vec<u8>> {
     let variables = model.variables();
     let mut xml = Writer::new_with_indent(Cursor::new(Vec::new()), b' ', 2);
@@ -99,7 +99,7 @@ fn log_categories(xml: &mut Xml) -> Result<()> {
     Ok(())
 }
 
-/// Variability: parameters are fixed, doubles continuous unless they move at some steps only.
+/// Variability: parameters are fixed, doubles continuous unless they change only at some steps.
 fn variability(variable: &Variable) -> &'static str {
     match (variable.causality, variable.kind()) {
         (Causality::Parameter, _) => "fixed",
@@ -108,7 +108,7 @@ fn variability(variable: &Variable) -> &'static str {
     }
 }
 
-/// What the importer may do to the value before the run. (Inputs have no such attribute.)
+/// The attribute `initial`, which inputs do not have.
 fn initial(variable: &Variable) -> Option<&'static str> {
     match variable.causality {
         Causality::Parameter => Some("exact"),
@@ -117,7 +117,7 @@ fn initial(variable: &Variable) -> Option<&'static str> {
     }
 }
 
-/// The start value, where the importer can replace it.
+/// The start value, where the importer can change it.
 fn start(variable: &Variable) -> Option<String> {
     match variable.causality {
         Causality::Parameter | Causality::Input => Some(match &variable.start {
@@ -196,7 +196,7 @@ fn variable_3(xml: &mut Xml, reference: usize, variable: &Variable) -> Result<()
     Ok(())
 }
 
-/// The independent variable, which FMI 3.0 wants among the variables.
+/// The independent variable, which FMI 3.0 lists among the variables.
 fn time_3(xml: &mut Xml, reference: usize) -> Result<()> {
     xml.create_element("Float64")
         .with_attribute(("name", "time"))
@@ -208,8 +208,8 @@ fn time_3(xml: &mut Xml, reference: usize) -> Result<()> {
     Ok(())
 }
 
-/// How the model structure points at a variable: FMI 2.0 counts from 1, FMI 3.0 has value
-/// references.
+/// The reference to a variable in the model structure: in FMI 2.0 an index from 1, in FMI 3.0 the value
+/// reference.
 fn pointer(version: FmiVersion, place: usize) -> String {
     match version {
         FmiVersion::V2 => (place + 1).to_string(),

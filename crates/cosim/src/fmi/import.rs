@@ -1,8 +1,8 @@
-//! FMUs of other tools in the place of units.
+//! FMUs of other tools that replace units.
 //!
-//! A `Foreign` unit has the name and the variables of the unit whose place it takes, so that
-//! nothing else in the co-simulation changes; behind them is an FMU, which the crate `cordon-fmi`
-//! loads and calls: by default in a process of its own (see [`Isolation`]).
+//! A `Foreign` unit has the name and the variables of the unit that it replaces, so that nothing else
+//! in the co-simulation changes; behind it is an FMU, which the crate `cordon-fmi` loads and calls: by
+//! default in a separate process (see [`Isolation`]).
 
 mod adapter;
 #[cfg(feature = "fmi-import")]
@@ -20,25 +20,25 @@ use cordon_core::Error;
 use cordon_core::Result;
 use cordon_run::scenario::Substitute;
 
-/// Where foreign code runs.
+/// Where the code of an FMU runs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Isolation {
-    /// In a child process for each FMU: code that crashes, hangs or ends its process is an error
-    /// of the unit.
+    /// In a child process per FMU: if the code crashes, hangs or exits, that is an error of the unit.
     Process {
-        /// A program that calls [`serve`] when it is given the arguments.
+        /// A program that calls [`serve`] when it is started with the arguments below.
         program: PathBuf,
-        /// Arguments after which that program reads calls from its standard input.
+        /// Arguments that make that program read calls from its standard input.
         arguments: Vec<String>,
-        /// Longest time of a call. Far more than any call takes: what takes longer hangs.
+        /// Time limit of a call, far above what any call takes: a call that exceeds it is taken to
+        /// hang.
         limit: Duration,
     },
-    /// In this process: faster by the way there and back, but nothing stops an FMU from taking
-    /// this process with it.
+    /// In this process: faster, without the communication, but a crash of the FMU ends this process
+    /// too.
     InProcess,
 }
 
-/// An FMU in the place of a unit, see [`Loader`](crate::cosimulation::Loader).
+/// Replaces a unit by an FMU, see [`Loader`](crate::cosimulation::Loader).
 ///
 /// # Errors
 /// The FMU cannot be read, is for another platform, or lacks a variable of the unit; or this
@@ -54,7 +54,7 @@ pub fn substitute(
     load(isolation, fmu, unit.as_ref(), map)
 }
 
-/// Serves the instance of an FMU to the parent process until that has enough.
+/// Serves the instance of an FMU to the parent process until that ends the session.
 ///
 /// # Errors
 /// This process was not started by [`substitute`], or this program was built without the feature
@@ -66,7 +66,7 @@ pub fn serve() -> Result<()> {
     Ok(())
 }
 
-/// As above, for a program that cannot run FMUs.
+/// As above, in a build that cannot run FMUs.
 #[cfg(not(all(feature = "fmi-import", unix)))]
 pub fn serve() -> Result<()> {
     Err(cordon_core::Error::input("this program runs no FMUs in processes of their own"))

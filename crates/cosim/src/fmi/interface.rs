@@ -1,4 +1,4 @@
-//! What an exported unit shows to importers: which unit it is, its variables, its identifier.
+//! The interface of an exported unit: its model, its variables, its identifier.
 
 use std::fmt;
 use std::sync::Arc;
@@ -26,7 +26,7 @@ pub enum FmiVersion {
 }
 
 impl FmiVersion {
-    /// The version as model descriptions say it.
+    /// The version as written in model descriptions.
     pub fn name(self) -> &'static str {
         match self {
             Self::V2 => "2.0",
@@ -38,9 +38,9 @@ impl FmiVersion {
 /// A unit that can be exported.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Model {
-    /// The coordination unit of the coverage protocol; positions travel as said.
+    /// The coordination unit of the coverage protocol, with the way positions travel.
     Coordination(Positions),
-    /// The coordination unit of a protocol file, whichever drone's.
+    /// The coordination unit of a protocol file, for any drone.
     Protocol(Positions, Arc<Carried>),
     /// The cascaded controller: position and attitude to rotors.
     Control,
@@ -53,9 +53,9 @@ pub enum Model {
 pub enum Positions {
     /// As text `p/q`, exactly.
     Exact,
-    /// As doubles: rounded once on their way.
+    /// As doubles, rounded once when sent.
     Double,
-    /// As doubles read with six significant digits, as in the recorded runs.
+    /// As doubles parsed from six significant digits, as in the recorded runs.
     SixDigits,
 }
 
@@ -80,7 +80,7 @@ impl From<Exchange> for Positions {
 }
 
 impl Model {
-    /// Those that carry nothing.
+    /// The models that carry no files.
     pub const PLAIN: [Self; 5] = [
         Self::Coordination(Positions::Exact),
         Self::Coordination(Positions::Double),
@@ -89,7 +89,7 @@ impl Model {
         Self::Plant,
     ];
 
-    /// The coordination unit of a scenario's protocol: `None` where there is none to export.
+    /// The coordination unit of a scenario's protocol; `None` where it cannot be exported.
     pub fn coordination(positions: Positions, scenario: &Scenario) -> Option<Self> {
         match (&scenario.protocol, Carried::of(scenario)) {
             (Protocol::Coverage { .. }, _) => Some(Self::Coordination(positions)),
@@ -97,7 +97,7 @@ impl Model {
         }
     }
 
-    /// How positions travel, of a coordination unit.
+    /// How positions travel; `None` where the model is not a coordination unit.
     pub fn positions(&self) -> Option<Positions> {
         match self {
             Self::Coordination(positions) | Self::Protocol(positions, _) => Some(*positions),
@@ -119,7 +119,7 @@ impl Model {
         }
     }
 
-    /// What it is, for people.
+    /// A description, for display.
     pub fn description(&self) -> String {
         let what = match self {
             Self::Coordination(_) => "the coverage protocol",
@@ -135,7 +135,7 @@ impl Model {
         format!("Coordination of one drone: {what}, {positions}")
     }
 
-    /// A unit of this kind with the parameters' start values.
+    /// A unit of this model, its parameters at their start values.
     pub fn unit(&self, name: &str) -> Box<dyn Resumable> {
         match self {
             Self::Coordination(positions) => {
@@ -151,7 +151,7 @@ impl Model {
     }
 
     /// The variables that importers see: those of the unit, then [`TAU`] and [`START_INPUTS`]. A
-    /// variable's value reference is its place here.
+    /// variable's value reference is its index here.
     pub fn variables(&self) -> Vec<Variable> {
         let mut variables = self.unit(self.identifier()).variables().to_vec();
         variables.push(tau(self.exact_numbers()));
@@ -169,12 +169,12 @@ impl Model {
         self.positions() == Some(Positions::Exact)
     }
 
-    /// The value of [`TAU`] that means so many seconds.
+    /// The value of [`TAU`] for a step of this many seconds.
     pub fn tau_value(&self, tau: &Rational) -> Value {
         tau_value(self.exact_numbers(), tau)
     }
 
-    /// The parameters on which an output depends right after the initialisation.
+    /// The parameters that an output depends on right after initialisation.
     pub fn initial_dependencies(&self, output: &str) -> Option<String> {
         Some(match (self, output) {
             (Self::Plant, "x" | "y" | "z") => format!("{output}0"),
@@ -184,10 +184,9 @@ impl Model {
         })
     }
 
-    /// The identifier (FMI 2.0: guid; FMI 3.0: instantiationToken) with which importers make
-    /// instances. It names the model and fingerprints the variables and what the FMU carries, so that
-    /// a model description is never used with a binary or a protocol that reads other variables into
-    /// it.
+    /// The identifier (FMI 2.0: guid; FMI 3.0: instantiationToken) required to make instances. It names
+    /// the model and has a fingerprint of the variables and of the files that the FMU carries, so that
+    /// a model description is never used with a binary or a protocol with other variables.
     pub fn token(&self, version: FmiVersion) -> String {
         let mut print = Fingerprint::default();
         for v in self.variables() {
@@ -203,7 +202,7 @@ impl Model {
         format!("cordon-fmi{}:{}:{}", version.name(), self.identifier(), print.hex())
     }
 
-    /// Names and texts of the files that its FMU carries in `resources/`.
+    /// Names and texts of the files in the FMU's `resources/`.
     pub fn resources(&self) -> Vec<(&'static str, String)> {
         match self {
             Self::Protocol(_, carried) => carried.files().to_vec(),
@@ -211,11 +210,11 @@ impl Model {
         }
     }
 
-    /// The model that an identifier belongs to, `None` where it is of no model of this program;
-    /// `carried` answers what the FMU carries.
+    /// The model that an identifier belongs to, `None` where it belongs to no model of this program;
+    /// `carried` returns the files that the FMU carries.
     ///
     /// # Errors
-    /// It should carry a protocol, and there is none to be had.
+    /// The FMU should carry a protocol and does not.
     pub fn of_token(
         version: FmiVersion,
         token: &str,
@@ -234,19 +233,18 @@ impl Model {
     }
 }
 
-/// What the binary inside exported FMUs has in it, every bit turned over, so that it is not mistaken
-/// for another one.
+/// A mark that the binary in exported FMUs contains with every bit inverted, so that no other file is
+/// mistaken for it.
 pub const BINARY_MARK: &str = concat!("\u{7f}cordon-fmu ", env!("CARGO_PKG_VERSION"), "\u{7f}");
 
-/// Name of the parameter that every exported unit has besides its own: the length of a step in
-/// seconds, exact.
+/// Name of a parameter that every exported unit has in addition: the exact length of a step in seconds.
 pub const TAU: &str = "tau";
 
-/// Name of the parameter that every exported unit has besides: whether the first step takes the inputs'
-/// start values. Some importers send zeros in the first step.
+/// Name of a parameter that every exported unit has in addition: whether the first step uses the
+/// inputs' start values. Some importers send zeros in the first step.
 pub const START_INPUTS: &str = "start_inputs";
 
-/// The step that exported units are made for unless told otherwise: 0.05 s, as in the paper.
+/// The default step of exported units: 0.05 s, as in the paper.
 pub fn default_tau() -> Rational {
     Rational::new(1.into(), 20.into())
 }

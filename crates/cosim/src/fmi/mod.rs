@@ -1,9 +1,9 @@
-//! FMI: the units of the co-simulation as FMUs that other tools run.
+//! FMI: the units of the co-simulation as FMUs for other tools.
 //!
-//! [`interface`] says what an exported unit shows to importers, [`description`] writes that as
-//! `modelDescription.xml`, [`slave`] keeps the rules of the standard around a unit, and
-//! [`package`] puts the archive together. The C functions are in the crate `cordon-fmu`
-//! (folder `fmu`), the only place with `unsafe`; [`binary`] finds what it was compiled to.
+//! [`interface`] defines what importers see of an exported unit, [`description`] writes it as
+//! `modelDescription.xml`, [`slave`] enforces the rules of the standard around a unit, and [`package`]
+//! builds the archive. The C functions are in the crate `cordon-fmu` (folder `fmu`), the only place
+//! with `unsafe`; [`binary`] finds its compiled library.
 
 #[cfg(feature = "package")]
 pub mod archive;

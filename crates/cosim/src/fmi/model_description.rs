@@ -1,4 +1,4 @@
-//! What the model description of an FMU declares: version, identifiers, variables and their units.
+//! Reading model descriptions of FMUs: version, identifiers, variables and their physical units.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ pub struct ModelDescription {
     pub version: FmiVersion,
     /// Name of the model.
     pub model_name: String,
-    /// Identifier with which instances are made.
+    /// Identifier required to make instances.
     pub token: String,
     /// Name of the binary, where the FMU is for co-simulation.
     pub identifier: Option<String>,
@@ -26,7 +26,7 @@ impl ModelDescription {
     /// Reads the text of a `modelDescription.xml`.
     ///
     /// # Errors
-    /// It is none, or of another version of the standard: with the reason.
+    /// It is not a model description, or of another version of the standard; the error is the reason.
     pub fn read(text: &str) -> Result<Self, String> {
         // The version comes first: other versions have other elements.
         let version = fmi_version(text)?;
@@ -50,7 +50,7 @@ impl ModelDescription {
 pub struct FmuVariable {
     /// Its name, unique in the FMU.
     pub name: String,
-    /// Value reference: by it the C functions know the variable.
+    /// Value reference, which identifies the variable in the C functions.
     pub reference: u32,
     /// The element of the model description: `Real`, `Float64`, ...
     pub kind: String,
@@ -62,11 +62,11 @@ pub struct FmuVariable {
     pub is_array: bool,
 }
 
-/// Types of variables that stand for real ones.
+/// Types of real variables.
 pub(super) const REALS: &[&str] = &["Real", "Float64", "Float32"];
 
 impl FmuVariable {
-    /// Whether its values are real ones.
+    /// Whether its type is real.
     pub fn is_real(&self) -> bool {
         REALS.contains(&self.kind.as_str())
     }
@@ -75,9 +75,9 @@ impl FmuVariable {
 /// The physical unit of a variable of an FMU.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FmuUnit {
-    /// Its name, as the model description has it.
+    /// Its name in the model description.
     pub name: String,
-    /// What it is in SI base units; `None` where neither a definition nor the name says so.
+    /// Its definition in SI base units; `None` where neither a definition nor the name gives one.
     pub(super) si: Option<Si>,
 }
 
@@ -114,7 +114,7 @@ struct UnitDefinition {
     base: Option<BaseUnit>,
 }
 
-/// Exponents of the SI base units, and how the unit's values become theirs.
+/// Exponents of the SI base units, and the conversion of values.
 #[derive(Deserialize)]
 struct BaseUnit {
     #[serde(rename = "@kg", default)]
@@ -161,7 +161,7 @@ struct TypeDefinitions {
     list: Vec<TypeEntry>,
 }
 
-/// A declared type: FMI 2.0 says which inside, FMI 3.0 by the element's name.
+/// A declared type: FMI 2.0 gives the kind in a child element, FMI 3.0 in the element's name.
 #[derive(Deserialize)]
 enum TypeEntry {
     SimpleType(SimpleType),
@@ -199,7 +199,7 @@ struct ModelVariables {
     list: Vec<Entry>,
 }
 
-/// An element of the list of variables: FMI 2.0 says the type inside, FMI 3.0 by its name.
+/// An element of the list of variables: FMI 2.0 gives the type in a child element, FMI 3.0 in its name.
 #[derive(Deserialize)]
 enum Entry {
     ScalarVariable(Scalar),
@@ -267,7 +267,7 @@ struct Typed {
     dimensions: Vec<AnyType>,
 }
 
-/// The version that a model description says.
+/// The version that a model description declares.
 fn fmi_version(text: &str) -> Result<FmiVersion, String> {
     #[derive(Deserialize)]
     struct Root {

@@ -1,4 +1,4 @@
-//! The archive: model description and binary.
+//! Building FMU archives: model description and binary.
 
 use std::io::{Cursor, Write};
 
@@ -9,7 +9,7 @@ use super::description::model_description;
 use super::interface::{FmiVersion, Model};
 use cordon_core::{Error, Result};
 
-/// The platform of this program, as FMUs name it: folder in FMI 2.0, in FMI 3.0, and the ending
+/// The name of this platform in FMUs (a folder; it differs between FMI 2.0 and 3.0), and the extension
 /// of shared libraries. `None` where the standards have no name for it.
 pub fn platform(version: FmiVersion) -> Option<(&'static str, &'static str)> {
     use std::env::consts::{ARCH, OS};
@@ -24,7 +24,7 @@ pub fn platform(version: FmiVersion) -> Option<(&'static str, &'static str)> {
     Some((if version == FmiVersion::V2 { two } else { three }, ending))
 }
 
-/// An FMU: the archive of a model with the binary at hand. The same input gives the same bytes.
+/// The FMU of a model with this binary. The same input gives the same bytes.
 ///
 /// # Errors
 /// The standards have no name for this platform, or the binary is too large for an archive.
@@ -46,13 +46,13 @@ pub fn fmu(model: &Model, version: FmiVersion, binary: &[u8]) -> Result<Vec<u8>>
     archive(&files)
 }
 
-/// An archive of files by their paths inside.
+/// An archive of files, by their paths within it.
 ///
 /// # Errors
 /// A file is too large.
 pub fn archive(files: &[(&str, &[u8])]) -> Result<Vec<u8>> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    // The time of the archive is no part of what it says.
+    // A fixed time stamp, for reproducible archives.
     let options = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Deflated)
         .last_modified_time(DateTime::default())

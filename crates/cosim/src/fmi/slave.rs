@@ -1,8 +1,8 @@
-//! A unit under the rules of the FMI standards: what the C functions call.
+//! A unit under the rules of the FMI standards, as called by the C functions.
 //!
 //! The state machine of co-simulation (instantiated, initialisation, step, terminated), value
-//! references, types, exact time, states to go back to. FMI 2.0 and 3.0 differ in their C
-//! functions only; the rules here serve both.
+//! references, types, exact time, saved states. FMI 2.0 and 3.0 differ only in their C functions; the
+//! rules here serve both.
 
 use std::path::Path;
 
@@ -21,28 +21,28 @@ use cordon_core::exact::{self, Rational};
 /// Why a call was refused.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
-    /// How bad it is.
+    /// The severity.
     pub severity: Severity,
-    /// In the user's words.
+    /// The message for the user.
     pub message: String,
 }
 
-/// How bad it is.
+/// The severity of a refusal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Severity {
-    /// The call was refused; the instance is as it was.
+    /// The call was refused; the instance is unchanged.
     Error,
-    /// The instance is of no more use.
+    /// The instance can no longer be used.
     Fatal,
 }
 
 impl Refusal {
-    /// A refused call, after which the instance is as it was.
+    /// A refused call that leaves the instance unchanged.
     pub fn error(message: impl Into<String>) -> Self {
         Self { severity: Severity::Error, message: message.into() }
     }
 
-    /// The end of an instance.
+    /// A failure after which the instance can no longer be used.
     pub fn fatal(message: impl Into<String>) -> Self {
         Self { severity: Severity::Fatal, message: message.into() }
     }
@@ -57,10 +57,10 @@ impl From<UnitError> for Refusal {
 /// Longest run in steps: the limit of [`Grid`].
 const MAX_STEPS: u64 = 10_000_000_000;
 
-/// Longest single call in steps, so that every call returns: six days of 0.05 s steps.
+/// Longest single call in steps, so that every call returns: six days in steps of 0.05 s.
 const MAX_STEPS_A_CALL: f64 = 10_000_000.0;
 
-/// How far an importer's step may be from a whole number of steps of tau, in steps: importers
+/// Tolerance, in steps of tau, for an importer's step that should be a whole number of them: importers
 /// compute step sizes as differences of times, in doubles.
 const STEP_NOISE: f64 = 1e-6;
 
@@ -73,23 +73,23 @@ pub struct Slave {
     unit: Box<dyn Resumable>,
     mode: Mode,
     tau: Rational,
-    /// Whether the first step takes the inputs' start values.
+    /// Whether the first step uses the inputs' start values.
     start_inputs: bool,
     grid: Option<Grid>,
     start_time: f64,
     stop_time: Option<f64>,
-    /// Steps of tau so far.
+    /// Number of steps of tau so far.
     step: u64,
-    /// Whether something was set since the unit was last initialised.
+    /// Whether a variable was set since the unit was last initialised.
     stale: bool,
 }
 
 impl Slave {
     /// Makes an instance of the model that the identifier belongs to; `resources` is the FMU's folder
-    /// of that name, where the importer says it.
+    /// of that name, where the importer gives it.
     ///
     /// # Errors
-    /// No model of this binary has the identifier, or what the FMU should carry is not there.
+    /// No model of this binary has the identifier, or the files that the FMU should carry are missing.
     pub fn instantiate(
         version: FmiVersion,
         name: &str,
@@ -111,7 +111,7 @@ impl Slave {
         Ok(Self::of(model, name, token))
     }
 
-    /// An instance that was not set up yet.
+    /// An instance that is not set up yet.
     fn of(model: Model, name: &str, token: &str) -> Self {
         Self {
             name: name.to_owned(),
@@ -130,12 +130,12 @@ impl Slave {
         }
     }
 
-    /// The mode it is in.
+    /// The current mode.
     pub fn mode(&self) -> Mode {
         self.mode
     }
 
-    /// The present communication point, as the double nearest to the exact one.
+    /// The current communication point, as the double nearest to the exact one.
     pub fn time(&self) -> f64 {
         match (&self.grid, self.start_time == 0.0) {
             (Some(grid), true) => grid.time_f64(self.step),
@@ -144,7 +144,7 @@ impl Slave {
         }
     }
 
-    /// Makes the instance refuse every further call: something inside went wrong.
+    /// Makes the instance refuse all further calls, after an internal failure.
     pub fn give_up(&mut self) {
         self.mode = Mode::Fatal;
     }
@@ -161,10 +161,10 @@ impl Slave {
         })
     }
 
-    /// Tells the instance when the run begins and, maybe, ends.
+    /// Sets the start of the run and, optionally, its end.
     ///
     /// # Errors
-    /// Wrong mode, or no finite time.
+    /// Wrong mode, or a time that is not finite.
     pub fn set_up(&mut self, start: f64, stop: Option<f64>) -> Result<(), Refusal> {
         self.expect_mode("setting up the experiment", &[Mode::Instantiated])?;
         if !start.is_finite() || stop.is_some_and(|s| s.is_nan() || s < start) {
@@ -188,7 +188,7 @@ impl Slave {
         Ok(())
     }
 
-    /// Ends the initialisation: the parameters have to fit now.
+    /// Ends the initialisation: the parameters must be consistent by now.
     ///
     /// # Errors
     /// Wrong mode, or a parameter outside its range.
@@ -199,7 +199,7 @@ impl Slave {
         Ok(())
     }
 
-    /// Brings the unit up to date with what was set during the initialisation.
+    /// Updates the unit with the values set during initialisation.
     fn settle(&mut self) -> Result<(), Refusal> {
         if self.mode == Mode::Initialisation && self.stale {
             let grid = grid(&self.tau)?;
@@ -220,10 +220,10 @@ impl Slave {
         Ok(())
     }
 
-    /// Back to the state after instantiation; every parameter has its start value.
+    /// Returns to the state after instantiation, with every parameter at its start value.
     ///
     /// # Errors
-    /// The instance is of no more use.
+    /// The instance can no longer be used.
     pub fn reset(&mut self) -> Result<(), Refusal> {
         let allowed = [Mode::Instantiated, Mode::Initialisation, Mode::Step, Mode::Terminated];
         self.expect_mode("resetting", &allowed)?;
@@ -242,7 +242,7 @@ impl Slave {
     /// Sets a parameter or an input. Exact numbers come as text.
     ///
     /// # Errors
-    /// No such variable, not now, another type, no finite number, out of range.
+    /// No such variable, wrong mode, wrong type, not finite, or out of range.
     pub fn set(&mut self, reference: u32, value: &Value) -> Result<(), Refusal> {
         let (place, variable) = self.variable(reference)?;
         let allowed: &[Mode] = match variable.causality {
@@ -316,7 +316,7 @@ impl Slave {
         Ok(self.unit.get(place)?)
     }
 
-    /// The value of a real variable, or of the time, which follows the variables.
+    /// The value of a real variable, or of the time, whose reference follows those of the variables.
     ///
     /// # Errors
     /// No such variable, or another type.
@@ -352,7 +352,7 @@ impl Slave {
         }
     }
 
-    /// The value of a text variable, or of an exact one as `p/q`.
+    /// The value of a string variable, or of an exact one as `p/q`.
     ///
     /// # Errors
     /// No such variable, or another type.
@@ -362,12 +362,12 @@ impl Slave {
 
     /// Advances by a step, which is `size` seconds long and begins at `point`.
     ///
-    /// The time inside is exact. The importer's doubles only have to round to it: `point` to
-    /// the end of the last step, `size` to a whole number of steps of tau.
+    /// Time inside is exact. The importer's doubles only have to round to it: `point` to the end of the
+    /// last step, `size` to a whole number of steps of tau.
     ///
     /// # Errors
-    /// Wrong mode, another time, a step that tau does not divide, a step beyond the end of the
-    /// run, or the unit cannot compute it.
+    /// Wrong mode, wrong time, a size that is not a multiple of tau, a step beyond the end of the run,
+    /// or a failure of the unit.
     pub fn do_step(&mut self, point: f64, size: f64) -> Result<(), Refusal> {
         self.expect_mode("stepping", &[Mode::Step])?;
         let Some(grid) = &self.grid else {
@@ -397,7 +397,7 @@ impl Slave {
                 "a step of `{size}` s from `{now}` s: goes beyond the end of the run"
             )));
         }
-        // In range: more steps than the grid has are refused in the loop.
+        // In range: the loop refuses more steps than the grid has.
         for _ in 0..count as u64 {
             if self.step >= grid.steps() {
                 return Err(Refusal::error(format!("the run is longer than {MAX_STEPS} steps")));
@@ -408,10 +408,10 @@ impl Slave {
         Ok(())
     }
 
-    /// The present state.
+    /// Saves the current state.
     ///
     /// # Errors
-    /// The instance is of no more use.
+    /// The instance can no longer be used.
     pub fn save(&self) -> Result<Snapshot, Refusal> {
         let allowed = [Mode::Instantiated, Mode::Initialisation, Mode::Step, Mode::Terminated];
         self.expect_mode("keeping the state", &allowed)?;
@@ -435,10 +435,10 @@ impl Slave {
         })
     }
 
-    /// Goes back to a state; where that is impossible the instance stays as it is.
+    /// Restores a saved state; where that is impossible the instance is unchanged.
     ///
     /// # Errors
-    /// The state of another FMU, or one that was tampered with.
+    /// The state of another FMU, or one that was modified.
     pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), Refusal> {
         if self.mode == Mode::Fatal {
             return Err(Refusal::fatal("going back: the instance is of no more use"));
@@ -458,7 +458,7 @@ impl Slave {
         (back.start_time, back.stop_time) = (snapshot.start_time, snapshot.stop_time);
         if snapshot.mode != Mode::Instantiated {
             back.mode = Mode::Initialisation;
-            // Parameters that do not fit yet are no fault until the initialisation ends.
+            // Inconsistent parameters are not an error until the initialisation ends.
             let settled = back.settle();
             if snapshot.mode != Mode::Initialisation {
                 settled?;
@@ -471,10 +471,10 @@ impl Slave {
         Ok(())
     }
 
-    /// A state from its serialised form.
+    /// A saved state from its serialised form.
     ///
     /// # Errors
-    /// No such form, or the state of another FMU.
+    /// Not a serialised state, or that of another FMU.
     pub fn snapshot_from_bytes(&self, bytes: &[u8]) -> Result<Snapshot, Refusal> {
         Snapshot::from_bytes(&self.token, bytes).map_err(Refusal::error)
     }

@@ -1,4 +1,4 @@
-//! The state of an instance, to go back to and to write to disk.
+//! The saved state of an instance, which can be restored or serialised.
 
 use serde::{Deserialize, Serialize};
 
@@ -14,24 +14,24 @@ const SCHEMA: &str = "cordon-fmu-state/1";
 pub struct Snapshot {
     /// The identifier of the FMU that it belongs to.
     pub(super) token: String,
-    /// The mode it is in.
+    /// The mode of the instance.
     pub(super) mode: Mode,
     /// Start time in seconds.
     pub(super) start_time: f64,
-    /// End of the run in seconds, where the importer said it.
+    /// End of the run in seconds, where the importer gave it.
     pub(super) stop_time: Option<f64>,
-    /// Steps of tau so far.
+    /// Number of steps of tau so far.
     pub(super) step: u64,
-    /// Parameters and inputs, by their value references; `None` where there is an output.
+    /// Values of parameters and inputs, by value reference; `None` for outputs.
     pub(super) settable: Vec<Option<Value>>,
-    /// What else the unit remembers.
+    /// The rest of the unit's memory.
     pub(super) memory: Vec<Value>,
 }
 
 /// The modes of the standards' state machine for co-simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Mode {
-    /// Made, parameters can be set.
+    /// Created; parameters can be set.
     Instantiated,
     /// Between entering and leaving the initialisation.
     Initialisation,
@@ -39,12 +39,12 @@ pub enum Mode {
     Step,
     /// The run is over.
     Terminated,
-    /// Of no more use.
+    /// No longer usable.
     Fatal,
 }
 
 impl Mode {
-    /// What the instance is, for messages.
+    /// The mode in words, for messages.
     pub fn name(self) -> &'static str {
         match self {
             Self::Instantiated => "not initialised",
@@ -56,7 +56,7 @@ impl Mode {
     }
 }
 
-/// A value on disk: doubles by their bits, exact numbers as `p/q`.
+/// A serialised value: doubles by their bits, exact numbers as `p/q`.
 #[derive(Serialize, Deserialize)]
 enum Stored {
     Real(u64),
@@ -118,14 +118,14 @@ impl Snapshot {
             settable: self.settable.iter().map(|v| v.as_ref().map(Stored::from)).collect(),
             memory: self.memory.iter().map(Stored::from).collect(),
         };
-        // Strings, numbers and lists: nothing of it can fail to be written.
+        // Strings, numbers and lists always serialise.
         serde_json::to_vec(&document).unwrap_or_default()
     }
 
     /// Reads the state of an instance whose FMU has this identifier.
     ///
     /// # Errors
-    /// Something else than a state, or the state of another FMU.
+    /// Not a serialised state, or the state of another FMU.
     pub fn from_bytes(token: &str, bytes: &[u8]) -> Result<Self, String> {
         let document: Document = serde_json::from_slice(bytes)
             .map_err(|e| format!("the serialised state cannot be read: {e}"))?;

@@ -7,7 +7,7 @@ use quick_xml::Writer;
 
 use crate::unit::{Dimension, Kind, Variable};
 
-/// The XML of a file in the making.
+/// XML being written.
 pub(crate) type Xml = Writer<Cursor<Vec<u8>>>;
 
 /// Names of the elements, which FMI and SSP have in different namespaces.
@@ -20,12 +20,12 @@ pub(crate) struct Elements {
     pub base: &'static str,
 }
 
-/// Whether a variable's values have a physical unit in model descriptions.
+/// Whether a variable has a physical unit in model descriptions.
 pub(crate) fn has_unit(variable: &Variable) -> bool {
     variable.kind() == Kind::Real && variable.dimension != Dimension::NONE
 }
 
-/// Writes the definitions of all units that these variables have, by name.
+/// Writes the definitions of all physical units of these variables, by name.
 pub(crate) fn write<'v>(
     xml: &mut Xml,
     elements: &Elements,
@@ -71,10 +71,10 @@ pub(crate) fn base_units(symbol: &str) -> Vec<(String, i32)> {
     exponents
 }
 
-/// A physical unit in SI base units: a value in it is `factor * value + offset` there.
+/// A physical unit in SI base units: a value corresponds to `factor * value + offset` there.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Si {
-    /// Exponents that are not 0, by base unit.
+    /// Nonzero exponents, by base unit.
     exponents: BTreeMap<&'static str, i32>,
     factor: f64,
     offset: f64,
@@ -93,7 +93,7 @@ impl Si {
         Self { exponents, factor, offset }
     }
 
-    /// The unit that a name made of base units says, like `m/s`, `m.s-1` or `m*s^-1`.
+    /// The unit described by a name made of base units, like `m/s`, `m.s-1` or `m*s^-1`.
     pub(crate) fn named(name: &str) -> Option<Self> {
         let name = name.replace('*', ".").replace(['^', '(', ')', ' '], "");
         let known = |(unit, exponent): (String, i32)| {
@@ -103,15 +103,15 @@ impl Si {
         Some(Self::new(exponents?, 1.0, 0.0))
     }
 
-    /// How values in `theirs`, a unit called `name`, become values in this one; `None` where the
-    /// two measure different things.
+    /// The conversion from `theirs`, a unit called `name`, to this one; `None` where the two measure
+    /// different quantities.
     pub(crate) fn from(&self, theirs: &Self, name: &str) -> Option<Conversion> {
         let without_angle = |si: &Self| {
             let mut exponents = si.exponents.clone();
             exponents.remove("rad");
             exponents
         };
-        // A radian is a number, and many tools leave it out.
+        // A radian is dimensionless, and many tools leave it out.
         let same = self.exponents == theirs.exponents
             || (name.contains("rad") && without_angle(self) == without_angle(theirs));
         let usable = theirs.factor.is_finite() && theirs.factor != 0.0 && theirs.offset.is_finite();
@@ -120,7 +120,7 @@ impl Si {
     }
 }
 
-/// From values in a foreign unit to values in one of SI base units, and back.
+/// Converts values between a foreign unit and one of SI base units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Conversion {
     factor: f64,
@@ -129,7 +129,7 @@ pub(crate) struct Conversion {
 
 #[cfg_attr(not(feature = "fmi-import"), allow(dead_code, reason = "values flow where FMUs run"))]
 impl Conversion {
-    /// Whether values stay as they are.
+    /// Whether it leaves values unchanged.
     pub(crate) fn is_identity(self) -> bool {
         self.factor == 1.0 && self.offset == 0.0
     }
@@ -164,7 +164,7 @@ mod tests {
         assert_eq!((conversion.inward(1500.0), conversion.outward(1.5)), (1.5, 1500.0));
         assert_eq!(speed.from(&millimetre, "mm/s"), None);
         assert_eq!(Si::named("ft"), None);
-        // Radians that a definition leaves out.
+        // Radians left out of a definition.
         let turning = Si::named("rad/s").unwrap();
         assert!(turning.from(&Si::new([("s", -1)], 1.0, 0.0), "rad/s").is_some());
         assert_eq!(turning.from(&Si::new([("s", -1)], 1.0, 0.0), "Hz"), None);

@@ -1,14 +1,14 @@
-//! Files by their URIs.
+//! Paths of `file:` URIs.
 
 use std::path::PathBuf;
 
 use cordon_core::{Error, Result};
 
-/// The path that a path or a `file:` URI means. `file:/a`, `file:///a`, `file:////a` and
+/// The path denoted by a path or a `file:` URI. `file:/a`, `file:///a`, `file:////a` and
 /// `file://localhost/a` are `/a`.
 ///
 /// # Errors
-/// The URI is none of a file on this machine.
+/// The URI does not denote a file on this machine.
 pub fn path(name: &str) -> Result<PathBuf> {
     let Some(rest) = name.strip_prefix("file:") else {
         return Ok(PathBuf::from(name));
@@ -26,7 +26,7 @@ pub fn path(name: &str) -> Result<PathBuf> {
     Ok(PathBuf::from(decoded.get(slashes.saturating_sub(1)..).unwrap_or_default()))
 }
 
-/// A text with its percent-encoded bytes in place.
+/// A text with percent-encoded bytes decoded.
 fn decoded(text: &str) -> Option<String> {
     let mut bytes = Vec::with_capacity(text.len());
     let mut rest = text.bytes();

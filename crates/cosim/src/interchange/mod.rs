@@ -18,16 +18,16 @@ use cordon_core::exact::Rational;
 use cordon_core::{Error, Result};
 use cordon_run::scenario::UnitName;
 
-/// Instances of exported units and what is connected with what.
+/// Instances of exported units and their connections.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assembly {
-    /// What it is about, for people.
+    /// A title, for display.
     pub title: String,
     /// Length of a communication step in seconds.
     pub tau: Rational,
     /// Number of communication steps.
     pub steps: u64,
-    /// The instances, every one at its [`Seat`].
+    /// The instances, each at the index given by its [`Seat`].
     pub instances: Vec<Instance>,
     /// From output to input.
     pub connections: Vec<(End, End)>,
@@ -38,17 +38,16 @@ pub struct Assembly {
 pub struct Instance {
     /// Its name, unique in the co-simulation.
     pub name: String,
-    /// Which unit of this program it is an instance of.
+    /// The unit of this program that it is an instance of.
     pub model: Model,
-    /// Parameters, and inputs that nothing is connected to, where they differ from the model's
-    /// start values.
+    /// Parameters, and unconnected inputs, where they differ from the model's start values.
     pub settings: Vec<(String, Value)>,
 }
 
 /// One end of a connection.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct End {
-    /// Place of the instance.
+    /// Index of the instance.
     pub instance: usize,
     /// Name of the variable.
     pub variable: String,
@@ -58,8 +57,8 @@ impl Assembly {
     /// The co-simulation of a swarm.
     ///
     /// # Errors
-    /// It has what other tools' masters do not: consensus or formation, faults, a
-    /// Gauss-Seidel master.
+    /// It has features that masters of other tools lack: consensus or formation, faults, a Gauss-Seidel
+    /// master.
     pub fn of(swarm: &Cosimulation) -> Result<Self> {
         expect_plain(swarm)?;
         let coordination = Model::coordination(swarm.exchange.into(), &swarm.scenario);
@@ -78,7 +77,7 @@ impl Assembly {
                 UnitName::Control => Model::Control,
                 UnitName::Plant => Model::Plant,
             };
-            // Whose unit an own protocol's is, its parameters say.
+            // The unit of a protocol file selects its drone by parameters.
             let mut settings = match swarm.open_coordination(seat.drone) {
                 Some(open) if seat.unit == UnitName::Coordination => parameters(&model, &open)?,
                 _ => parameters(&model, unit.as_ref())?,
@@ -116,8 +115,8 @@ impl Assembly {
         })
     }
 
-    /// With what every connected input hears first among the start values, for importers that send
-    /// something else in the first step ([`START_INPUTS`]).
+    /// The assembly with the first value of every connected input as its start value, for importers
+    /// that send something else in the first step ([`START_INPUTS`]).
     ///
     /// # Errors
     /// As for [`Assembly::of`].
@@ -139,7 +138,7 @@ impl Assembly {
         Ok(self)
     }
 
-    /// The models that it has instances of, each once, in the order of a drone's units.
+    /// The models of its instances, each once, in the order of a drone's units.
     pub fn models(&self) -> Vec<&Model> {
         self.instances.iter().take(UnitName::ALL.len()).map(|i| &i.model).collect()
     }
@@ -149,7 +148,7 @@ impl Assembly {
         &self.tau * Rational::from_integer(self.steps.into())
     }
 
-    /// The position whose run is of interest: the output of an instance, or none.
+    /// The output of an instance whose curve is of interest, if any: a position.
     pub fn position_of(instance: &Instance) -> Option<&'static str> {
         match instance.model {
             Model::Coordination(_) | Model::Protocol(..) => Some("x_d"),

@@ -39,7 +39,7 @@ impl fmt::Display for Port {
 }
 
 impl Port {
-    /// Splits `{fmu}.instance.variable`; variables may have dots of their own.
+    /// Splits `{fmu}.instance.variable`; the name of the variable may contain dots.
     fn parse(text: &str) -> Result<Self> {
         let parts = || {
             let (fmu, rest) = text.split_once("}.")?;
@@ -59,7 +59,7 @@ impl Port {
 pub(super) struct Ports {
     /// All connections, from output to input.
     pub wires: BTreeSet<(Port, Port)>,
-    /// What is set, by instance and variable.
+    /// Values set, by instance and variable.
     pub settings: BTreeMap<Instance, BTreeMap<String, Json>>,
 }
 
@@ -67,7 +67,7 @@ impl Ports {
     /// Reads all names of a multi-model.
     ///
     /// # Errors
-    /// A name of another form, or of an FMU that the multi-model does not have.
+    /// A malformed name, or an FMU that the multi-model does not have.
     pub fn of(model: &MultiModel) -> Result<Self> {
         let port = |text: &str| {
             let port = Port::parse(text)?;
@@ -98,12 +98,12 @@ impl Ports {
         self.wires.insert((from, to));
     }
 
-    /// Gives a parameter its value.
+    /// Sets a parameter.
     pub fn set(&mut self, Port { instance, variable }: Port, value: Json) {
         self.settings.entry(instance).or_default().insert(variable, value);
     }
 
-    /// The instances to which an instance sends something (from one variable, or from any).
+    /// The instances that receive values from an instance (from one variable, or from any).
     pub fn targets(&self, from: &Instance, variable: Option<&str>) -> BTreeSet<Instance> {
         self.wires
             .iter()

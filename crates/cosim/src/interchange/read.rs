@@ -1,9 +1,9 @@
-//! Reads the systems of other tools as scenarios.
+//! Reading systems of other tools as scenarios.
 //!
-//! What is read has to be a swarm: drones of a coordination unit of this program, a controller
-//! and a plant each, connected as [`Assembly`] connects them. A controller or a plant may be an
-//! FMU of another tool whose variables have the same names. To be sure that nothing is overlooked,
-//! the swarm that was read is assembled again and compared with the file.
+//! The system must be a swarm: for each drone a coordination unit of this program, a controller and a
+//! plant, connected as [`Assembly`] connects them. A controller or a plant may be an FMU of another
+//! tool whose variables have the same names. To make sure that nothing is overlooked, the scenario is
+//! assembled again and compared with the file.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -25,17 +25,16 @@ use cordon_core::exact::{self, Rational};
 use cordon_core::{Error, Result};
 use cordon_run::scenario::{Draft, Flight, Parameter, Start, Substitute, UnitName};
 
-/// Whether a file's name says that it is a multi-model or an SSP archive.
+/// Whether a file's name is that of a multi-model or an SSP archive.
 pub fn is_system(path: &Path) -> bool {
     path.extension().is_some_and(|e| e == "json" || e == ssp::ENDING)
 }
 
-/// Reads a multi-model, the configuration of a co-simulation that names one, or an SSP archive, as a
-/// scenario.
+/// Reads a multi-model, a co-simulation configuration that names one, or an SSP archive as a scenario.
 ///
 /// # Errors
 /// The file or one of its FMUs cannot be read, or it is not the system of a swarm: the message names
-/// the file and what does not fit.
+/// the file and what does not match.
 pub fn read(path: &Path) -> Result<Draft> {
     let named = |e: Error| match e {
         Error::Input(what) => Error::input(format!("{}: {what}", path.display())),
@@ -48,24 +47,24 @@ pub fn read(path: &Path) -> Result<Draft> {
     system.draft().map_err(named)
 }
 
-/// Instances of FMUs and their connections, as a file has them.
+/// Instances of FMUs and their connections, as in a file.
 pub(super) struct System {
-    /// What it is about, where the file says so.
+    /// Its title, where the file has one.
     pub title: Option<String>,
     /// The FMUs by their keys, in braces.
     pub fmus: BTreeMap<String, Fmu>,
     pub ports: Ports,
     pub clock: Clock,
-    /// Start and end in seconds, where the file says so.
+    /// Start and end in seconds, where the file gives them.
     pub start: Option<f64>,
     pub end: Option<f64>,
 }
 
-/// The length of a step.
+/// The length of a step, or where it comes from.
 pub(super) enum Clock {
-    /// As the units have it.
+    /// That of the units.
     Units,
-    /// As the configuration says, where it says something.
+    /// That of the configuration, where it has one.
     Said(Option<MasterAlgorithm>),
 }
 
@@ -95,7 +94,7 @@ impl System {
         let set = self.ports.settings.get(instance).and_then(|s| s.get(variable));
         match set {
             Some(Json::String(text)) => Ok(text.clone()),
-            // A double stands for the fraction that it was written as.
+            // A double stands for the fraction it was written from.
             Some(Json::Number(n)) if n.is_f64() => Ok(fraction(n.as_f64())),
             Some(other) => Ok(other.to_string()),
             None => {
@@ -126,7 +125,7 @@ impl System {
         })
     }
 
-    /// The drones, by their identifiers.
+    /// The drones, ordered by identifier.
     fn drones(&self) -> Result<Vec<Drone>> {
         let mut by_id = BTreeMap::new();
         for instance in self.ports.settings.keys() {
@@ -195,7 +194,7 @@ impl System {
         Ok(Drone { units: [coordination, control, plant], models })
     }
 
-    /// What the units are set to.
+    /// The scenario that the file describes.
     fn as_read(&self, drones: &[Drone]) -> Result<Draft> {
         let mut start = Vec::new();
         let mut actual = Vec::new();
@@ -293,7 +292,7 @@ impl System {
         })
     }
 
-    /// The length of the run, a whole number of steps; `None` where an archive does not say it.
+    /// The length of the run, a whole number of steps; `None` where an archive does not give it.
     fn duration(&self, tau: &Rational) -> Result<Option<Rational>> {
         let step = exact::to_f64(tau);
         match (&self.clock, self.end) {
@@ -324,8 +323,8 @@ impl System {
         )))
     }
 
-    /// Compares the file with the assembly of what was read. The answer: what FMUs of other tools
-    /// call their variables, where a connection to a unit of this program tells.
+    /// Compares the file with the assembly of the scenario. Returns the names that FMUs of other tools
+    /// use for their variables, where a connection to a unit of this program reveals them.
     fn compare(&self, drones: &[Drone], draft: &Draft) -> Result<Names> {
         let swarm = Cosimulation::new(draft.clone().finish()?, draft.flight.clone())?;
         let assembly = match self.clock {
@@ -337,7 +336,7 @@ impl System {
         for (from, to) in &assembly.connections {
             let matches = |(f, t): &&(Port, Port)| {
                 let (here, there) = (fit(drones, from, f), fit(drones, to, t));
-                // One end that is of another tool may have another name.
+                // An end at another tool's FMU may have another name.
                 matches!((here, there), (Fit::Whole, Fit::Whole | Fit::Renamed))
                     || matches!((here, there), (Fit::Renamed, Fit::Whole))
             };
@@ -415,7 +414,7 @@ impl System {
     }
 }
 
-/// The first instance at a place of a drone that is a unit of this program.
+/// The first instance of a given kind (index among a drone's units) that is a unit of this program.
 fn first(drones: &[Drone], place: usize) -> Option<(&Instance, &Model)> {
     drones.iter().find_map(|d| Some((d.units.get(place)?, d.models.get(place)?.as_ref()?)))
 }
@@ -426,17 +425,17 @@ fn unit_at(drones: &[Drone], seat: Seat) -> Option<(&Instance, Option<&Model>)> 
     Some((drone.units.get(place)?, drone.models.get(place)?.as_ref()))
 }
 
-/// What the FMUs of other tools call the variables of the units whose places they take.
+/// The names that FMUs of other tools use for the variables of the units that they replace.
 type Names = BTreeMap<Seat, BTreeMap<String, String>>;
 
-/// How a port of the file fits an end of an assembly's connection.
+/// How a port of the file matches an end of a connection of the assembly.
 #[derive(Clone, Copy, PartialEq)]
 enum Fit {
-    /// It is there, by the same name.
+    /// It exists, with the same name.
     Whole,
-    /// It is a variable of another name, of another tool's FMU there.
+    /// It is a variable of another tool's FMU, with another name.
     Renamed,
-    /// The connection has no place in the swarm.
+    /// The connection does not belong in the swarm.
     Not,
 }
 
@@ -471,7 +470,7 @@ fn fraction(x: Option<f64>) -> String {
     x.and_then(Quotient::simplest_of).map(|q| q.to_string()).unwrap_or_default()
 }
 
-/// Whether a value of the file is a start value.
+/// Whether a value of the file equals the start value.
 fn same(start: &Value, json: &Json) -> bool {
     same_text(&start.to_string(), json)
 }

@@ -13,27 +13,27 @@ const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
-/// Most positions of a page: a browser draws them without stutter.
+/// Most positions of a page, so that a browser draws it smoothly.
 const MAX_POSITIONS: usize = 400_000;
 
-/// The page of a run.
+/// The page for a run.
 ///
-/// Positions are rounded to a hundredth of a millimetre, and long runs are thinned; events
-/// are those of the whole run.
+/// Positions are rounded to a hundredth of a millimetre, and long runs are thinned; events are those of
+/// the whole run.
 ///
 /// # Errors
 /// The run cannot be written as JSON.
 pub fn page(record: &Record) -> Result<String> {
     let title = escaped(&record.title);
     let run = data(record).to_string();
-    // Within a script element only this could end it.
+    // Only `<` could end the script element.
     let run = run.replace('<', "\\u003c");
     let parts =
         [("@TITLE@", title.as_str()), ("@STYLE@", STYLE), ("@SCRIPT@", SCRIPT), ("@RUN@", &run)];
     Ok(filled(PAGE, &parts))
 }
 
-/// The template with its marks replaced, in one pass: what is filled in is not read again.
+/// The template with its marks replaced, in one pass: inserted text is not scanned again.
 fn filled(template: &str, parts: &[(&str, &str)]) -> String {
     let mut page = String::new();
     let mut rest = template;
@@ -91,13 +91,13 @@ fn data(record: &Record) -> Value {
     })
 }
 
-/// Events of a run that comes without them: on straight lines from sample to sample, all that
-/// samples alone can tell.
+/// Finds the events of a run recorded without them: on straight lines between samples, which is all
+/// that samples can tell.
 fn looked_for(record: &Record) -> Vec<Event> {
     let mut events = Vec::new();
     let rows = || record.times.iter().enumerate();
-    // Samples need not be equidistant: one watch a pair of them would lose the order in
-    // between, so time is counted in samples and translated afterwards.
+    // Samples need not be equidistant: one watch per pair of samples would lose the order between them,
+    // so time is counted in samples and converted afterwards.
     let mut watch = match record.y {
         None => Watch::new(Integrator::Euler, 1.0),
         Some(_) => Watch::in_plane(Integrator::Euler, 1.0, Body::default().touching()),
@@ -111,7 +111,7 @@ fn looked_for(record: &Record) -> Vec<Event> {
     for event in watch.finish() {
         let row = event.time.floor();
         let share = event.time - row;
-        // A row number: not negative, and no larger than the record.
+        // A row index: not negative, and within the record.
         let row = row as usize;
         let here = record.times.get(row).copied().unwrap_or_default();
         let next = record.times.get(row + 1).copied().unwrap_or(here);
@@ -167,7 +167,7 @@ mod tests {
         (a.max(b) + 0.05) / (a.min(b) + 0.05)
     }
 
-    /// Texts stand out by 4.5 and lines by 3, light and dark, as WCAG asks.
+    /// Texts have a contrast of at least 4.5 and lines of 3, light and dark, as WCAG requires.
     #[test]
     fn colours_stand_out() {
         let mut compared = 0;
@@ -189,7 +189,7 @@ mod tests {
                 }
             }
         }
-        // Light, dark by the system, dark by hand.
+        // Light, dark by system setting, dark by user choice.
         assert_eq!(compared, 3 * 24);
     }
 }

@@ -8,17 +8,17 @@ use crate::record::{Record, Series, Track};
 use cordon_core::text::cut;
 use cordon_core::{Error, Result};
 
-/// Bytes of the file that are handed on at once.
+/// Size of the blocks passed to the writer, in bytes.
 const PIECE: usize = 1 << 17;
 
-/// Writes a head line, then one line a grid point. Every number is the shortest decimal that
-/// reads back as the same double.
+/// Writes a header, then one line per grid point. Every number is the shortest decimal that reads back
+/// as the same double.
 ///
 /// # Errors
 /// `out` cannot be written.
 pub fn csv(record: &Record, out: &mut dyn Write) -> Result<()> {
     writeln!(out, "{}", heads(record).join(","))?;
-    // Numbers are put into words beside what becomes of them.
+    // Formatting and writing run in parallel.
     std::thread::scope(|scope| {
         let (ready, pieces) = sync_channel::<Vec<u8>>(4);
         scope.spawn(move || {
@@ -28,7 +28,7 @@ pub fn csv(record: &Record, out: &mut dyn Write) -> Result<()> {
                 lines.line(record, row, &mut piece);
                 if piece.len() > PIECE / 2 || row + 1 == record.rows() {
                     let full = std::mem::replace(&mut piece, Vec::with_capacity(PIECE));
-                    // Nobody reads on where writing failed.
+                    // The reader is gone where writing failed.
                     if ready.send(full).is_err() {
                         return;
                     }
@@ -39,7 +39,7 @@ pub fn csv(record: &Record, out: &mut dyn Write) -> Result<()> {
     })
 }
 
-/// The heads of all columns.
+/// The headings of all columns.
 pub(super) fn heads(record: &Record) -> Vec<String> {
     let positions = record.positions().flat_map(|(prefix, _)| named(prefix, record.count));
     let series = record.series.iter().map(|s| quoted(s.head()));
@@ -50,10 +50,10 @@ fn named(prefix: &str, count: usize) -> impl Iterator<Item = String> {
     (0..count).map(move |i| format!("{prefix}{i}"))
 }
 
-/// Puts rows into words. Desired positions stay as they are from update to update: their words do too.
+/// Formats rows. Desired positions do not change between updates, so their text is reused.
 #[derive(Default)]
 struct Lines {
-    /// Of each block of columns the words of the last row.
+    /// For each block of columns the text of the last row.
     blocks: Vec<Vec<u8>>,
 }
 
@@ -84,20 +84,20 @@ fn field(x: f64, text: &mut Vec<u8>) {
     number(x, text);
 }
 
-/// A number as Rust writes it, `{:?}`.
+/// A number in Rust's notation, `{:?}`.
 fn number(x: f64, text: &mut Vec<u8>) {
-    // Where two decimals are equally short and equally near, the printers differ: that takes a
-    // number of few binary places.
+    // The printers may differ only where two decimals are equally short and equally near, which needs a
+    // number with few binary places.
     if (1e-4..1e16).contains(&x.abs()) && !(1..=24).contains(&binary_places(x)) {
         text.extend_from_slice(zmij::Buffer::new().format_finite(x).as_bytes());
     } else {
-        // Zero, and what has an exponent.
+        // Zero, and numbers with an exponent.
         text.extend_from_slice(format!("{x:?}").as_bytes());
     }
 }
 
-/// How many digits a number has after its binary point, fewer than none where it ends in zeros before
-/// it; of a normal number.
+/// The number of digits after the binary point of a normal number; negative where it ends in zeros
+/// before the point.
 fn binary_places(x: f64) -> i64 {
     let (bits, digits) = (x.to_bits(), i64::from(f64::MANTISSA_DIGITS) - 1);
     let exponent = (bits >> digits & 0x7ff) as i64 - 1023;
@@ -105,7 +105,7 @@ fn binary_places(x: f64) -> i64 {
     digits - exponent - i64::from(zeros)
 }
 
-/// A head as it stands in a line: names of other tools may have commas.
+/// A heading as it stands in a line: names in other tools may contain commas.
 fn quoted(head: String) -> String {
     match head.contains([',', '"', '\n', '\r']) {
         true => format!("\"{}\"", head.replace('"', "\"\"").replace(['\n', '\r'], " ")),
@@ -113,7 +113,7 @@ fn quoted(head: String) -> String {
     }
 }
 
-/// The heads of a line, as [`quoted`] has written them.
+/// The headings of a line, as written by [`quoted`].
 fn unquoted(line: &str) -> Vec<String> {
     let (mut heads, mut within) = (vec![String::new()], false);
     let mut characters = line.chars().peekable();
@@ -134,7 +134,7 @@ fn push(heads: &mut [String], c: char) {
     }
 }
 
-/// A record without numbers, by the heads of its columns.
+/// An empty record with the shape given by the headings of its columns.
 fn shaped(name: &str, heads: &[String]) -> Option<Record> {
     let (time, rest) = heads.split_first()?;
     let count = rest.iter().zip(named("xd", usize::MAX)).take_while(|(a, b)| *a == b).count();
@@ -171,7 +171,7 @@ fn shaped(name: &str, heads: &[String]) -> Option<Record> {
     })
 }
 
-/// Reads what [`csv`] writes. `name` stands for the file in messages.
+/// Parses the output of [`csv`]. `name` stands for the file in messages.
 pub(super) fn parse(name: &str, text: &str) -> Result<Record> {
     let fail = |line: usize, what: String| Error::input(format!("{name}:{line}: {what}"));
     if !text.is_empty() && !text.ends_with('\n') {

@@ -39,7 +39,7 @@ struct Page {
     broken_off: Option<String>,
 }
 
-/// What a run file of columns cannot say, in a file beside it.
+/// What the columns of a run file cannot hold, in a file beside it.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Companion {
@@ -57,7 +57,7 @@ struct Companion {
     broken_off: Option<String>,
 }
 
-/// Exact numbers are text: fractions.
+/// The set-up; exact numbers are written as fractions.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct SetupPage {
@@ -91,7 +91,7 @@ struct HeightPage {
     actual: Vec<Heights>,
 }
 
-/// Heights at a grid point: of a swarm that takes off together one number says all.
+/// Heights at a grid point: one number where all drones have the same.
 #[derive(Serialize, Deserialize)]
 #[serde(untagged)]
 enum Heights {
@@ -115,7 +115,7 @@ struct EventPage {
     drones: (usize, usize),
 }
 
-/// Writes one object: what was run, one list of positions a grid point, the events.
+/// Writes one object: the set-up, one list of positions per grid point, the events.
 ///
 /// # Errors
 /// `out` cannot be written.
@@ -144,7 +144,7 @@ pub fn json(record: &Record, out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
-/// What the columns of a run with this fingerprint do not say.
+/// The companion of a run file with this fingerprint.
 pub(super) fn companion(record: &Record, of: Fingerprint) -> Result<Vec<u8>> {
     let companion = Companion {
         schema: COMPANION_SCHEMA.to_owned(),
@@ -161,7 +161,7 @@ pub(super) fn companion(record: &Record, of: Fingerprint) -> Result<Vec<u8>> {
     Ok(text)
 }
 
-/// Adds to a record what [`companion`] wrote. `name` stands for the companion in messages.
+/// Completes a record from its companion. `name` stands for the companion in messages.
 pub(super) fn accompany(
     record: &mut Record,
     of: Fingerprint,
@@ -253,7 +253,7 @@ fn event_page(e: &Event) -> EventPage {
     EventPage { time: e.time, kind: e.kind.name().to_owned(), drones: e.drones }
 }
 
-/// Reads what [`json`] writes. `name` stands for the file in messages.
+/// Parses the output of [`json`]. `name` stands for the file in messages.
 pub(super) fn parse(name: &str, text: &str) -> Result<Record> {
     let fail = |what: String| Error::input(format!("`{name}`: {what}"));
     let page: Page = serde_json::from_str(text)

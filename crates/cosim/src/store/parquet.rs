@@ -65,7 +65,7 @@ mod tests {
     use crate::store::csv::heads;
     use cordon_run::scenario::{Flight, parse};
 
-    /// Columns of positions and of other variables come back, to the last bit.
+    /// Columns of positions and of other variables are read back to the last bit.
     #[test]
     fn columns_are_those_of_the_csv() {
         let text = "start = [0, 10, 100]\nweight = 0.2\nperiod = 4\ntau = 0.05\n";

@@ -9,7 +9,7 @@ use crate::fmu::{Datum, Type, Variable, Version};
 /// A value for messages.
 pub(super) fn shown(value: &Datum) -> String {
     match value {
-        // What was never set may have hundreds of zeros.
+        // Variables that were never set may have extreme values, with hundreds of zeros.
         Datum::Real(x) if *x != 0.0 && !(1e-6..1e15).contains(&x.abs()) => format!("{x:e}"),
         Datum::Real(x) => x.to_string(),
         Datum::Integer(n) => n.to_string(),
@@ -23,7 +23,7 @@ fn names(variables: &[Variable]) -> String {
     names.join(", ")
 }
 
-/// A number in another type.
+/// The integer value in the variable's type.
 fn narrow<T: TryFrom<i64>>(variable: &Variable, value: &Datum) -> Result<T, String> {
     match value {
         Datum::Integer(n) => T::try_from(*n).map_err(|_| {
@@ -62,7 +62,7 @@ fn text(variable: &Variable, value: &Datum) -> Result<CString, String> {
 }
 
 impl Instance {
-    /// Sets variables; those of one type that follow each other in one call.
+    /// Sets variables, with one call for consecutive variables of one type.
     pub(super) fn set(&mut self, variables: &[Variable], values: &[Datum]) -> Result<(), String> {
         if variables.len() != values.len() {
             return Err(format!("{} values for {} inputs", values.len(), variables.len()));
@@ -163,7 +163,7 @@ impl Instance {
         self.judge(|| format!("setting {}", names(variables)), status)
     }
 
-    /// Reads variables; those of one type that follow each other in one call.
+    /// Reads variables, with one call for consecutive variables of one type.
     pub(super) fn get(&mut self, variables: &[Variable]) -> Result<Vec<Datum>, String> {
         let mut read = Vec::with_capacity(variables.len());
         for group in variables.chunk_by(|a, b| a.kind == b.kind) {
@@ -204,7 +204,7 @@ impl Instance {
                 read.extend(list.into_iter().map(|x| Datum::Real(x.into())));
             }
             (Version::V3, Type::Boolean) => {
-                // As bytes: what the FMU wrote need not be a bool.
+                // As bytes: what the FMU wrote may not be a valid bool.
                 let list = self.take3("fmi3GetBoolean", variables, 0u8)?;
                 read.extend(list.into_iter().map(|b| Datum::Boolean(b != 0)));
             }
@@ -281,11 +281,11 @@ impl Instance {
     }
 }
 
-/// A text that an FMU handed out: it lives until the next call.
+/// Copies a string returned by an FMU: it is valid until the next call only.
 fn copied(text: *const c_char) -> Datum {
     if text.is_null() {
         return Datum::Text(String::new());
     }
-    // SAFETY: not null; the FMU vouches for the zero byte.
+    // SAFETY: not null; the FMU guarantees the terminating zero byte.
     Datum::Text(unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned())
 }

@@ -1,4 +1,4 @@
-//! Slips in the hypotheses and statements of section 7.
+//! Errors in the hypotheses and statements of section 7.
 
 use cordon_spec::coverage::exec_coverage;
 use cordon_spec::theorems::{Form, Setting, StartSet, Theorem, Verdict, WeightRange};
@@ -86,8 +86,8 @@ fn simulated_start() -> Recomputed {
     )
 }
 
-/// Whether one step keeps every ordered start of N drones ordered: what the gaps after it take of
-/// those before is nowhere negative, and in no row nothing.
+/// Whether one step keeps every ordered start of N drones ordered: in terms of the gaps before, no
+/// coefficient of a gap after the step is negative, and no row is zero.
 fn ordering_kept(count: usize, eps: &Rational) -> bool {
     let rows = Stencil::executed(eps).gap_rows(count).unwrap_or_default();
     let positive =
@@ -128,7 +128,7 @@ fn not_monotonic() -> Recomputed {
     let run = placements(&params(fraction(1, 5), &start), start, 1);
     let x1 = |k: usize| run.get(k).and_then(|x| x.get(1)).cloned().unwrap_or_default();
     let (before, after) = (x1(0), x1(1));
-    // The target, 25, is ahead: a monotonic approach would not fall.
+    // The target, 25, is ahead: a monotonic approach would not decrease.
     recomputed(
         after < before,
         format!(
@@ -139,8 +139,8 @@ fn not_monotonic() -> Recomputed {
 }
 
 fn slipped_indices() -> Recomputed {
-    // Off target at drone 2 only: the sum stays for one step and increases in the next, though
-    // no j >= 3 is off target, and with h = 1.
+    // Off target at drone 2 only: the sum is constant for one step and increases in the next, though no
+    // j >= 3 is off target, and with h = 1.
     let start = integers(&[0, 25, 40, 75, 100]);
     let eps = fraction(1, 5);
     let printed = verdict(Theorem::GloballyIncreasing, Form::Paper, eps.clone(), start.clone());

@@ -1,5 +1,5 @@
-//! The errata engine: the paper's slips (PROTOCOL section 4), each established anew by
-//! computation whenever it is asked.
+//! The errata engine: the paper's errors (PROTOCOL section 4), each established by computation on
+//! demand.
 //!
 //! No result is stored: every number in a [`Recomputed`] comes from running the spec, or from
 //! exact algebra on the equations as printed.
@@ -9,29 +9,29 @@ mod physics;
 mod runs;
 mod timing;
 
-/// A slip of the paper.
+/// An error in the paper.
 #[derive(Clone, Copy)]
 pub struct Erratum {
     /// Number in PROTOCOL section 4.
     pub number: u32,
-    /// Where in the paper.
+    /// Location in the paper.
     pub place: &'static str,
-    /// What it says there.
+    /// The printed text.
     pub printed: &'static str,
     compute: fn() -> Recomputed,
 }
 
-/// What the computation found.
+/// The result of the computation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Recomputed {
-    /// Whether the printed statement is indeed wrong, or not needed, or incomplete.
+    /// Whether the printed statement is indeed wrong, unnecessary, or incomplete.
     pub established: bool,
-    /// What is so instead, with the computed values.
+    /// What holds instead, with the computed values.
     pub computed: String,
 }
 
 impl Erratum {
-    /// Runs the spec, and says whether the paper's print is wrong as claimed.
+    /// Runs the computation, which decides whether the printed statement is wrong as claimed.
     pub fn establish(&self) -> Recomputed {
         (self.compute)()
     }

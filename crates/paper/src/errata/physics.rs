@@ -1,4 +1,4 @@
-//! Slips in the drone's equations (1) to (4), by exact algebra on the closed loops.
+//! Errors in the drone's equations (1) to (4), by exact algebra on the closed loops.
 
 use num_traits::{One, Signed, Zero};
 
@@ -39,10 +39,10 @@ fn fraction(num: i32, den: i32) -> Rational {
 /// Coefficients from the constant upward.
 type Coefficients = Vec<Rational>;
 
-/// Characteristic polynomial of a horizontal axis in closed loop,
-/// s^2 (s^2 + 2 lA s + lA^2) + sign lA^2 (2 lP s + lP^2): the attitude loop follows the angle
-/// that the position loop commands, and `sign` is that of the plant's angle to acceleration
-/// times the controller's error to angle.
+/// Characteristic polynomial of a horizontal axis in closed loop, s^2 (s^2 + 2 lA s + lA^2) + sign lA^2
+/// (2 lP s + lP^2): the attitude loop follows the angle commanded by the position loop. `sign` is the
+/// product of two signs: from angle to acceleration in the plant, and from position error to angle in
+/// the controller.
 fn horizontal(sign: i32) -> Coefficients {
     let (lp, la) = (fraction(2, 5), fraction(4, 1));
     let sign = fraction(sign, 1);
@@ -55,12 +55,13 @@ fn evaluate(p: &[Rational], s: &Rational) -> Rational {
     p.iter().rev().fold(Rational::zero(), |sum, c| sum * s + c)
 }
 
-/// A real positive root between 0 and 1, by a change of sign: a mode that grows.
+/// Whether there is a real root in (0, 1), by a change of sign: an unstable mode.
 fn grows(p: &[Rational]) -> bool {
     evaluate(p, &Rational::zero()).is_negative() && evaluate(p, &Rational::one()).is_positive()
 }
 
-/// Routh and Hurwitz for s^4 + a3 s^3 + a2 s^2 + a1 s + a0: all roots have negative real parts.
+/// The Routh-Hurwitz criterion for s^4 + a3 s^3 + a2 s^2 + a1 s + a0: all roots have negative real
+/// parts.
 fn stable_quartic(p: &[Rational]) -> bool {
     let [a0, a1, a2, a3, _] = p else {
         return false;
@@ -93,7 +94,7 @@ fn vertical_sign() -> Recomputed {
     )
 }
 
-/// What four rotor speeds do: lift, roll, pitch, yaw (PROTOCOL section 3, plant).
+/// The effect of the four rotor speeds: lift, roll, pitch, yaw (PROTOCOL section 3, plant).
 const EFFECTS: [[i32; 4]; 4] = [[1, 1, 1, 1], [0, 1, 0, -1], [-1, 0, 1, 0], [1, -1, 1, -1]];
 
 /// Four times the mixing of PROTOCOL section 3: rotor speeds from (w_z, w_phi, w_theta, w_psi).

@@ -1,4 +1,4 @@
-//! Slips about what the co-simulated runs show: the desired positions, tick by tick.
+//! Errors about the co-simulated runs: the desired positions, tick by tick.
 
 use cordon_spec::Phase;
 use cordon_spec::Scalar;
@@ -36,7 +36,7 @@ pub(super) const ERRATA: &[Erratum] = &[
     },
 ];
 
-/// Ticks a second at the paper's co-simulation step of 0.05 s.
+/// Ticks per second at the paper's co-simulation step of 0.05 s.
 const TICKS_PER_SECOND: u64 = 20;
 
 /// The start of the paper's runs, in m: 0, 10, 20, 30, 100.
@@ -44,8 +44,8 @@ pub(super) fn paper_start() -> Vec<Rational> {
     [0, 10, 20, 30, 100].map(Rational::from_int).to_vec()
 }
 
-/// The paper's coverage scenario with weight eps = tenths/10 and the period that the paper
-/// ties to it: eps seconds of 0.05 s ticks.
+/// The paper's coverage scenario with weight eps = tenths/10 and the period that the paper couples to
+/// it: eps seconds, in ticks of 0.05 s.
 fn coverage(tenths: i32) -> Scenario {
     scenario(
         Protocol::Coverage { min: Rational::from_int(0), max: Rational::from_int(100) },
@@ -72,7 +72,7 @@ fn at_second(scenario: &Scenario, second: u64) -> Vec<Rational> {
     simulate::run(scenario).find(|s| s.tick == ticks).map_or_else(Vec::new, |s| s.state.drones)
 }
 
-/// The largest distance from the given places.
+/// The largest distance from the given positions.
 fn farthest(x: &[Rational], places: impl Fn(usize) -> Rational) -> Rational {
     let distances = x.iter().enumerate().map(|(i, xi)| (xi - places(i)).abs());
     distances.max().unwrap_or_default()

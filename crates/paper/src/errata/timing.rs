@@ -1,4 +1,4 @@
-//! Slips about periods, phases and numbering.
+//! Errors about periods, phases and numbering.
 
 use cordon_spec::coverage::{exec_cvg, tick};
 use cordon_spec::local::{LocalParams, TickRatio, fmu_tick, project};
@@ -43,7 +43,7 @@ fn paper_params(eps: Rational, n: u32) -> Params<Rational> {
     Params { min: Rational::from_int(0), max: Rational::from_int(100), eps, n }
 }
 
-/// The ticks in which an update happens, seen by the counter's return to 0, for `n` = 4 and a
+/// The ticks in which an update happens, detected by the counter's return to 0, for `n` = 4 and a
 /// counter that starts at 0 as in Listing 4.
 fn period_of_the_listings() -> Recomputed {
     const N: u32 = 4;
@@ -88,8 +88,8 @@ fn period_of_seven_tenths() -> Recomputed {
     recomputed(ticks != Rational::from_int(12), format!("0.7 s / 0.05 s = {ticks} steps"))
 }
 
-/// With indices 0..N-1 the drones that stay are 0 and N-1; index N of equation 10 is none of
-/// them and index 0 is missing from it.
+/// With indices 0..N-1 the drones that stay are 0 and N-1; index N in equation 10 is neither of them,
+/// and index 0 is missing from it.
 fn numbering() -> Recomputed {
     let params = paper_params(tenths(2), 0);
     let count = paper_start().len();

@@ -14,7 +14,7 @@ const SIZE: (u32, u32) = (1100, 640);
 /// Width of the legend beside the chart.
 const LEGEND: u32 = 110;
 
-/// Colours that people with a colour vision deficiency can tell apart (Okabe and Ito).
+/// Colours that can be distinguished with a colour vision deficiency (Okabe and Ito).
 const COLOURS: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -47,7 +47,7 @@ impl Plot {
     fn svg(&self) -> Drawn<Vec<u8>> {
         let mut text = String::new();
         self.draw(SVGBackend::with_string(&mut text, SIZE).into_drawing_area())?;
-        // What a reader of the page hears, and a pointer shows.
+        // A title, for screen readers and tooltips.
         if let Some((tag, rest)) = text.split_once('>') {
             let title = escaped(&self.title);
             text = format!("{tag} role=\"img\"><title>{title}</title>{rest}");
@@ -122,7 +122,7 @@ impl Plot {
             chart.draw_series(LineSeries::new([(*time, low), (*time, high)], MARK))?;
             chart.draw_series([Circle::new((*time, *x), 6, MARK.stroke_width(2))])?;
             let style = (font::NAME, 16).into_font().color(&MARK);
-            // Below the lines, to the left of the moment.
+            // Below the lines, to the left of the collision.
             let place = (*time - 0.3 * (to - from), low + 0.035 * (high - low));
             chart.draw_series([Text::new(label.clone(), place, style)])?;
         }
@@ -130,7 +130,7 @@ impl Plot {
         Ok(())
     }
 
-    /// A sample of every line with its name.
+    /// A sample of every line, with its name.
     fn legend<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Drawn<()>
     where
         B::ErrorType: 'static,
@@ -145,12 +145,12 @@ impl Plot {
     }
 }
 
-/// A text inside an element of XML.
+/// A text escaped for XML.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-/// A number on an axis, without zeros that say nothing.
+/// A number on an axis, without trailing zeros.
 fn short(x: f64) -> String {
     let text = format!("{x:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');

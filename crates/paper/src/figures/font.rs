@@ -1,4 +1,4 @@
-//! The typeface of the figures, embedded: they look the same on every machine.
+//! The typeface of the figures, embedded so that they look the same on every machine.
 
 use std::sync::OnceLock;
 
@@ -7,10 +7,10 @@ use plotters::style::register_font;
 
 use cordon_core::{Error, Result};
 
-/// Its name in the figures. In SVG a reader without it takes its usual sans-serif.
+/// Its name in the figures. An SVG viewer without it uses its default sans-serif font.
 pub(super) const NAME: &str = "sans-serif";
 
-/// Makes the typeface known to the plotting library, once.
+/// Registers the typeface with the plotting library, once.
 pub(super) fn register() -> Result<()> {
     static DONE: OnceLock<bool> = OnceLock::new();
     let done = DONE.get_or_init(|| {

@@ -1,4 +1,4 @@
-//! The paper's figures, drawn anew from co-simulated runs: 8 to 16.
+//! The paper's figures 8 to 16, redrawn from co-simulated runs.
 
 #[cfg(feature = "figures")]
 mod draw;
@@ -19,7 +19,7 @@ use cordon_cosim::record::Record;
 use cordon_cosim::run;
 use cordon_run::scenario::{Flight, Protocol, Scenario, Topology};
 
-/// A form of a figure.
+/// The format of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// Scalable Vector Graphics
@@ -33,9 +33,9 @@ pub enum Format {
 enum Shown {
     Desired,
     Actual,
-    /// The desired position of drone 2, one line a run.
+    /// The desired position of drone 2, one line per run.
     Centre,
-    /// Height over x at a moment, in hundredths of a second.
+    /// Height over x at one time, in hundredths of a second.
     Side(i32),
 }
 
@@ -46,7 +46,7 @@ pub struct Figure {
     pub number: u32,
     shown: Shown,
     consensus: bool,
-    /// Weights of its runs, in tenths; the period is as many tenths of a second.
+    /// Weights of its runs, in tenths; the period is the same number of tenths of a second.
     tenths: &'static [i32],
     /// Length of the time axis in s.
     seconds: i32,
@@ -70,7 +70,7 @@ pub const FIGURES: [Figure; 9] = [
 const fn figure(number: u32, shown: Shown, tenths: &'static [i32], seconds: i32) -> Figure {
     let grid_tenths = match tenths {
         [one] => *one,
-        // Several periods: a line every half second fits none and all of them.
+        // With several periods, a line every half second is a compromise.
         _ => 5,
     };
     Figure { number, shown, consensus: false, tenths, seconds, grid_tenths }
@@ -79,7 +79,7 @@ const fn figure(number: u32, shown: Shown, tenths: &'static [i32], seconds: i32)
 /// Whether this build can draw.
 ///
 /// # Errors
-/// It was built without the feature `figures`; which build has it.
+/// It was built without the feature `figures`; the message says which build has it.
 pub fn drawable() -> Result<()> {
     #[cfg(feature = "figures")]
     return Ok(());
@@ -93,9 +93,9 @@ pub struct Plot {
     title: String,
     /// Label of the vertical axis.
     label: &'static str,
-    /// Ends of the horizontal axis: seconds, or metres.
+    /// Ends of the horizontal axis, in seconds or metres.
     across: (f64, f64),
-    /// Distance of the vertical grid lines, as the axis counts.
+    /// Distance of the vertical grid lines, in units of the axis.
     grid: f64,
     grid_label: String,
     /// A line of one point is a dot.
@@ -142,7 +142,7 @@ impl Figure {
                 .collect(),
         };
         let marks = match (self.shown, runs.as_slice()) {
-            // Drones that meet are what consensus is for.
+            // For consensus, meeting is the goal and not a collision.
             (Shown::Actual, [(_, record)]) if !self.consensus => collisions(record),
             _ => Vec::new(),
         };
@@ -184,8 +184,8 @@ impl Figure {
         })
     }
 
-    /// The paper's swarm with weight eps = tenths/10 and the period that the paper ties to it,
-    /// eps seconds of 0.05 s ticks.
+    /// The paper's swarm with weight eps = tenths/10 and the period that the paper couples to it, eps
+    /// seconds in ticks of 0.05 s.
     fn swarm(&self, tenths: i32) -> Result<Cosimulation> {
         let start: Vec<_> = [0, 10, 20, 30, 100].map(Rational::from_int).into();
         let protocol = if self.consensus {
@@ -216,7 +216,7 @@ impl Figure {
         format!("fig{:02}.{extension}", self.number)
     }
 
-    /// Draws the figure into a file of a folder, which appears whole or not at all.
+    /// Draws the figure into a file in a folder, written atomically.
     ///
     /// # Errors
     /// The run fails, or the file cannot be written.
@@ -228,7 +228,7 @@ impl Figure {
     }
 }
 
-/// A drone's line. Desired positions are held from grid point to grid point: a staircase.
+/// A drone's line. Desired positions are constant between grid points: a staircase.
 fn points(record: &Record, drone: usize, desired: bool) -> Vec<(f64, f64)> {
     let mut points: Vec<(f64, f64)> = Vec::new();
     for (row, &time) in record.times.iter().enumerate() {
@@ -246,11 +246,11 @@ fn points(record: &Record, drone: usize, desired: bool) -> Vec<(f64, f64)> {
     points
 }
 
-/// The ground and the wanted height, between which figures are to scale, and where every drone is at a
-/// moment: x and z.
+/// Ground and desired height, which fix the scale, and the positions x and z of every drone at one
+/// time.
 fn side(record: &Record, hundredths: i32) -> Vec<Line> {
     let moment = f64::from(hundredths) / 100.0;
-    // The grid point that the moment stands for.
+    // The grid point for that time.
     let row = record.times.iter().position(|t| *t > moment - 1e-9).unwrap_or_default();
     let Some(height) = &record.height else { return Vec::new() };
     let level = |name: &str, z: f64| Line {
@@ -270,7 +270,7 @@ fn collisions(record: &Record) -> Vec<(f64, f64, String)> {
     first.and_then(|e| mark(record, e)).into_iter().collect()
 }
 
-/// The place of a collision: between the samples the drone's position is interpolated.
+/// The position of a collision; between samples the drone's position is interpolated.
 fn mark(record: &Record, event: &Event) -> Option<(f64, f64, String)> {
     let (i, j) = event.drones;
     let after = record.times.iter().position(|t| *t >= event.time)?;

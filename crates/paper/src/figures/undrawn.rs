@@ -1,4 +1,4 @@
-//! In place of the drawing, in a build without the feature `figures`.
+//! A replacement for the drawing code in a build without the feature `figures`.
 
 use super::{Format, Plot};
 use cordon_core::{Error, Result};
@@ -7,7 +7,7 @@ impl Plot {
     /// Nothing is drawn.
     ///
     /// # Errors
-    /// Always: which build has figures.
+    /// Always; the message says which build has figures.
     pub(super) fn drawn(&self, _: Format) -> Result<Vec<u8>> {
         Err(missing())
     }

@@ -1,5 +1,5 @@
-//! Predicates that are conjunctions of comparisons of affine forms: how they fail, and what they
-//! demand.
+//! Predicates that are conjunctions of comparisons of affine forms: the ways in which they can fail,
+//! and the constraints that they impose.
 
 use std::cmp::Ordering;
 
@@ -11,7 +11,7 @@ use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Sign};
 
-/// The question is how the difference compares with zero.
+/// The question is the sign of the difference.
 impl Expression for Affine {
     fn compared(&self, other: &Self) -> Compared<Self> {
         let difference = self.clone() - other;
@@ -23,7 +23,7 @@ impl Expression for Affine {
     }
 }
 
-/// The constraint that a difference compares with zero as assumed.
+/// The constraint that the difference has the assumed sign.
 pub fn assumption([difference, _]: &Question<Affine>, answer: Ordering) -> Constraint {
     let (form, sign) = match answer {
         Ordering::Less => (Affine::from_int(0) - difference, Sign::Positive),
@@ -33,8 +33,8 @@ pub fn assumption([difference, _]: &Question<Affine>, answer: Ordering) -> Const
     Constraint { form, sign }
 }
 
-/// The comparisons of such a predicate, each with the answers that alone make it false; `None`
-/// where it is false whatever the start, because constants were compared.
+/// The comparisons of such a predicate, each with the answers that make the predicate false; `None`
+/// where it is false for every start, because constants were compared.
 fn comparisons<V>(
     placements: &[Vec<Affine>],
     predicate: impl Fn(&[Vec<Symbol<Affine>>]) -> V,
@@ -57,8 +57,8 @@ fn comparisons<V>(
     Some(asked.into_iter().map(fatal).collect())
 }
 
-/// Every assumption about one comparison that alone makes the predicate false. No assumption
-/// does exactly where it cannot be false.
+/// Every assumption about one comparison that makes the predicate false. If there is none, it cannot be
+/// false.
 pub fn ways_to_fail<V>(
     placements: &[Vec<Affine>],
     predicate: impl Fn(&[Vec<Symbol<Affine>>]) -> V,
@@ -73,8 +73,8 @@ pub fn ways_to_fail<V>(
         .collect()
 }
 
-/// What the predicate demands, as constraints. `None` where it is false whatever the start, or
-/// demands that something differ from zero, which no constraint says.
+/// The predicate as constraints. `None` where it is false for every start, or requires a form to be
+/// nonzero, which no constraint expresses.
 pub fn demands<V>(
     placements: &[Vec<Affine>],
     predicate: impl Fn(&[Vec<Symbol<Affine>>]) -> V,

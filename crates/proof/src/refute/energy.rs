@@ -1,4 +1,4 @@
-//! Theorem 7.8, whose conclusion is quadratic in the start: not for extreme starts to decide.
+//! Theorem 7.8, whose conclusion is quadratic in the start, so that extreme starts do not decide it.
 
 use cordon_spec::placement::contraction_weight;
 use cordon_spec::theorems::{Form, Theorem, WeightRange};
@@ -12,9 +12,9 @@ use cordon_core::linear::perron::Perron;
 use cordon_core::linear::rows::applied;
 use cordon_core::stencil::Stencil;
 
-/// Whether the sum of the squared errors falls in every step from every start off the targets:
-/// I - A^2 is positive definite, which the spec decides by leading minors. For the sharp form
-/// up to eps = 1/2 the rate is checked too: A >= 0 and A w <= c w row by row.
+/// Whether the sum of the squared errors decreases in every step from every start off the targets: I -
+/// A^2 is positive definite, which the spec decides by leading minors. For the sharp form up to eps =
+/// 1/2 the rate is checked too: A >= 0 and A w <= c w row by row.
 pub fn always_falls(form: Form, count: usize, eps: &Rational) -> bool {
     let den = Rational::from_integer(eps.denom().clone());
     let in_range = |range: WeightRange| range.contains(&(eps * &den), &den, count).is_true();
@@ -38,9 +38,9 @@ pub fn always_falls(form: Form, count: usize, eps: &Rational) -> bool {
 /// Precisions of the Perron vector, in bits: the first start that works has short numbers.
 const PRECISIONS: [u64; 5] = [1, 4, 10, 40, 160];
 
-/// A start in the region for which the sum of the squared errors does not fall at step k, out
-/// of a fixed family: the most persistent errors around the region's middle, and mixtures of
-/// the middle with extreme starts.
+/// A start in the region for which the sum of the squared errors does not decrease at step k, from a
+/// fixed family: the most persistent errors around the middle of the region, and mixtures of the middle
+/// with extreme starts.
 pub fn violating_start(
     form: Form,
     region: &Region,

@@ -1,5 +1,5 @@
-//! Theorems that are implications or equivalences: every combination of answers that their
-//! comparisons can get from some start.
+//! Theorems that are implications or equivalences: every combination of answers to their comparisons
+//! that some start can produce.
 
 use std::cmp::Ordering;
 
@@ -12,11 +12,11 @@ use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, point};
 
-/// Most combinations looked into at one step: beyond that the search is not complete.
+/// Most combinations examined at one step: beyond that the search is incomplete.
 const MOST_NODES: usize = 4_000;
 
-/// A start of the set for which the conclusion is violated on the placements, and whether
-/// the absence of one would be complete.
+/// A start of the set for which the conclusion is violated on the placements, and whether finding none
+/// would be conclusive.
 pub fn violation(
     set: StartSet,
     region: &Region,
@@ -70,7 +70,7 @@ impl<C: Fn() -> Verdict> Tree<'_, C> {
             Verdict::Violated(_) => return point(self.variables, &self.constraints),
             Verdict::Undecided => {}
         }
-        // The next comparison, unless nothing that could be assumed is left.
+        // The next comparison, unless no open one is left.
         let Some(question) = open.into_iter().next() else {
             self.complete = false;
             return None;

@@ -1,9 +1,8 @@
 //! The search for counterexamples: the smallest one, or the statement that there is none.
 //!
-//! For a fixed number of drones, weight and step, the placement is an affine function of the
-//! start, so that extreme starts decide the linear theorems: what is not found there does not
-//! exist, from any start. Where moreover a step takes the start set into itself, the same
-//! holds at every step.
+//! For a fixed number of drones, weight and step, the placement is an affine function of the start, so
+//! that extreme starts decide the linear theorems: if no counterexample is found there, none exists
+//! from any start. If moreover a step maps the start set into itself, the same holds at every step.
 
 mod conjunction;
 pub mod departing;
@@ -24,25 +23,25 @@ use cordon_core::linear::feasible::Sign;
 use cordon_core::{Rational, progress};
 use region::Region;
 
-/// Where a counterexample is looked for: swarms, weights, steps.
+/// The space searched for counterexamples: swarms, weights, steps.
 #[derive(Clone, Debug)]
 pub struct SearchSpace {
     /// The theorem that is to be violated.
     pub theorem: Theorem,
-    /// Whose starts and conclusion are meant: as printed, or sharp.
+    /// The form whose starts and conclusion are used: as printed, or sharp.
     pub form: Form,
     /// Numbers of drones, ascending.
     pub drones: Vec<usize>,
     /// Weights, the simplest first.
     pub weights: Vec<Rational>,
-    /// Whether they are searched even where they are not in the theorem's own range.
+    /// Whether to search weights outside the theorem's own range as well.
     pub any_weight: bool,
-    /// Last step looked at.
+    /// Last step examined.
     pub steps: usize,
 }
 
 impl SearchSpace {
-    /// The weights for a number of drones.
+    /// The weights to search for a number of drones.
     fn weights_for(&self, count: usize) -> Vec<Rational> {
         let range = self.theorem.hypothesis(self.form).weights;
         let searched = |eps: &&Rational| {
@@ -52,15 +51,15 @@ impl SearchSpace {
         self.weights.iter().filter(searched).cloned().collect()
     }
 
-    /// The pieces of work of its search, as counted in [`progress`]: for each number of drones
-    /// and weight one, and one for each step.
+    /// The number of pieces of work of the search, as counted in [`progress`]: for each number of
+    /// drones and weight one, plus one for each step.
     pub fn pieces(&self) -> u64 {
         let weights = self.drones.iter().map(|&count| self.weights_for(count).len());
         weights.sum::<usize>() as u64 * self.pieces_of_one()
     }
 
-    /// Whether its search takes longer than some seconds, as a rule: conclusions that are no
-    /// conjunctions of comparisons are decided by trying combinations.
+    /// Whether the search usually takes more than a few seconds: conclusions that are not conjunctions
+    /// of comparisons are decided by trying combinations.
     pub fn is_long(&self) -> bool {
         let most = self.drones.iter().max().copied().unwrap_or_default();
         let combined = !is_conjunction(self.theorem) && self.theorem != Theorem::Limit;
@@ -75,7 +74,7 @@ impl SearchSpace {
 /// How far the absence of a counterexample is established.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Extent {
-    /// Some starts were tried, up to the last step.
+    /// None was found for some starts, up to the last step.
     Tried,
     /// None exists from any start up to the last step.
     EveryStart,
@@ -83,14 +82,14 @@ pub enum Extent {
     EveryStartAndStep,
 }
 
-/// What was covered without a counterexample.
+/// A region of the search without a counterexample.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Coverage {
     /// Number of drones, at least 3.
     pub count: usize,
     /// The weight of the update.
     pub eps: Rational,
-    /// How far the absence of a counterexample reaches.
+    /// The extent to which a counterexample is excluded.
     pub extent: Extent,
 }
 
@@ -99,11 +98,11 @@ pub struct Coverage {
 pub struct SearchResult {
     /// The smallest counterexample, by number of drones, then step, then weight.
     pub found: Option<Counterexample>,
-    /// What was covered without one: everything, or all smaller numbers of drones.
+    /// The regions without one: everything, or all smaller numbers of drones.
     pub covered: Vec<Coverage>,
 }
 
-/// Searches the smallest counterexample, at the least step of the fewest drones.
+/// Searches for the smallest counterexample: fewest drones first, then the earliest step.
 pub fn search(space: &SearchSpace) -> SearchResult {
     let mut covered = Vec::new();
     for &count in &space.drones {
@@ -133,9 +132,9 @@ pub fn search(space: &SearchSpace) -> SearchResult {
 /// Most drones that [`evident`] tries: the printed 7.7 needs one off its target with index 3.
 const EVIDENT_DRONES: usize = 5;
 
-/// A counterexample that is cheap to find: up to 5 drones (or the given number, if it is no more),
-/// at the ends and the middle of the weights (by default those of \[0, 1\] that are in the
-/// theorem's own range), up to step 2. Worth a look before a proof is searched.
+/// A counterexample that is cheap to find: up to 5 drones (or the given number, if smaller), at the
+/// ends and the middle of the weights (by default those of \[0, 1\] that are in the theorem's own
+/// range), up to step 2. Worth a try before searching for a proof.
 pub fn evident(
     theorem: Theorem,
     form: Form,
@@ -157,7 +156,7 @@ pub fn evident(
     search(&space).found
 }
 
-/// The search at one number of drones and one weight, step after step.
+/// The search for one number of drones and one weight, step by step.
 struct Search<'q> {
     space: &'q SearchSpace,
     eps: Rational,
@@ -187,8 +186,8 @@ impl<'q> Search<'q> {
             self.extent = Extent::Tried;
         }
         let start = self.region.start(&start?);
-        // The spec decides; a start that it does not confirm is no counterexample, and the
-        // search has then missed something.
+        // The spec decides; a start that it does not confirm is not a counterexample, and the search is
+        // then incomplete.
         let found = Counterexample::replay(theorem, form, &self.eps, start, k);
         if found.is_none() {
             self.extent = Extent::Tried;
@@ -237,8 +236,7 @@ fn symbolic_setting(eps: &Rational) -> Setting<Symbol<Affine>> {
     Setting::from(&params(eps, |x| Symbol::constant(Affine::constant(x))))
 }
 
-/// Whether the conclusion is a conjunction of comparisons, so that each can be violated on its
-/// own.
+/// Whether the conclusion is a conjunction of comparisons, each of which can be violated on its own.
 fn is_conjunction(theorem: Theorem) -> bool {
     matches!(
         theorem,
@@ -246,8 +244,8 @@ fn is_conjunction(theorem: Theorem) -> bool {
     )
 }
 
-/// A start of the set, whose region is given, from which the conclusion is violated on the
-/// placements, and whether the absence of one would be complete.
+/// A start of the set, given by its region, from which the conclusion is violated on the placements,
+/// and whether finding none would be conclusive.
 fn violating_start(
     theorem: Theorem,
     form: Form,
@@ -261,7 +259,7 @@ fn violating_start(
     if is_conjunction(theorem) {
         let is_false = |v: &Verdict| matches!(v, Verdict::Violated(_));
         let mut ways = ways_to_fail(placements, conclusion, is_false);
-        // Drones that cross show more than drones that meet.
+        // Drones that cross are a clearer violation than drones that meet.
         ways.sort_by_key(|way| way.sign == Sign::Zero);
         (ways.iter().find_map(|way| region.point_with(way)), true)
     } else {
@@ -269,8 +267,8 @@ fn violating_start(
     }
 }
 
-/// Whether no counterexample exists at this weight from any start at any step, because some
-/// set that contains the starts is kept by a step and contains no violation.
+/// Whether no counterexample exists at this weight from any start at any step, because a set that
+/// contains the starts is kept by a step and contains no violation.
 fn impossible_at_every_step(theorem: Theorem, form: Form, count: usize, eps: &Rational) -> bool {
     if theorem == Theorem::Limit {
         return energy::always_falls(form, count, eps);

@@ -1,4 +1,4 @@
-//! Start sets on the segment \[0, 1\] by their extreme points and directions.
+//! Start sets on the segment \[0, 1\], given by extreme points and directions.
 
 use cordon_spec::theorems::StartSet;
 use num_bigint::BigInt;
@@ -20,7 +20,7 @@ pub struct Region {
     pub count: usize,
     /// Its extreme points, as positions of the internal drones.
     pub points: Vec<Vec<Rational>>,
-    /// Its extreme directions, where it is not bounded.
+    /// Its extreme directions, where it is unbounded.
     pub directions: Vec<Vec<Rational>>,
     /// Whether the boundary is excluded.
     pub open: bool,
@@ -42,7 +42,7 @@ impl Region {
         points.sort_by(|a, b| b.cmp(a));
         let along = |(unit, coefficient): (Vec<Rational>, Coefficient)| match coefficient {
             Coefficient::Free => vec![unit.clone(), unit.iter().map(|x| -x).collect()],
-            // As long as takes a drone from its target to the segment's left end.
+            // Long enough to move a drone from its target to the left end of the segment.
             _ => vec![
                 unit.iter()
                     .zip(points.first().into_iter().flatten())
@@ -62,17 +62,17 @@ impl Region {
         std::iter::once(first).chain(internal).chain([last]).collect()
     }
 
-    /// The start with the ends in place.
+    /// The start with the end drones at the ends of the segment.
     pub fn start(&self, x: &[Rational]) -> Vec<Rational> {
         let ends = [Rational::zero(), Rational::one()];
         let [first, last] = ends;
         std::iter::once(first).chain(x.iter().cloned()).chain([last]).collect()
     }
 
-    /// A point that meets the constraint, near an extreme one; `None` where there is none: the
-    /// answer is complete.
+    /// A point that meets the constraint, near an extreme one; `None` where there is none: this is
+    /// complete.
     ///
-    /// An affine form takes its extreme values at extreme points or along extreme directions.
+    /// An affine form attains its extreme values at extreme points or along extreme directions.
     pub fn point_with(&self, wanted: &Constraint) -> Option<Vec<Rational>> {
         let middle = self.middle();
         match wanted.sign {
@@ -105,7 +105,7 @@ impl Region {
         }
     }
 
-    /// A point of the interior: the mean of the points, one step along every direction.
+    /// A point in the interior: the mean of the points, plus one unit along every direction.
     pub fn middle(&self) -> Vec<Rational> {
         let number = Rational::from_integer(self.points.len().into());
         let mut mean = vec![Rational::zero(); self.count.saturating_sub(2)];
@@ -131,8 +131,7 @@ impl Region {
         })
     }
 
-    /// Points along directions, far enough for the form to have changed its sign if it does so
-    /// at all.
+    /// Points along directions, far enough for the form to have changed its sign if it ever does.
     fn crossings(&self, form: &Affine, middle: &[Rational]) -> Vec<Vec<Rational>> {
         let mut found = Vec::new();
         for d in &self.directions {
@@ -150,9 +149,9 @@ impl Region {
         found
     }
 
-    /// The simplest mixture of middle and extreme point that meets a positivity constraint; in
-    /// a closed set the extreme point itself if it does. Extreme directions are followed as
-    /// far as it takes.
+    /// The simplest mixture of the middle and an extreme point that meets a positivity constraint; in a
+    /// closed set the extreme point itself if it does. Extreme directions are followed as far as
+    /// necessary.
     fn towards(
         &self,
         wanted: &Constraint,
@@ -179,7 +178,7 @@ impl Region {
         Some(mixed(middle, &extreme, &t))
     }
 
-    /// Far enough from `base` along the first direction in which the form grows.
+    /// A point far enough from `base` along the first direction in which the form grows.
     fn along(&self, wanted: &Constraint, base: &[Rational]) -> Option<Vec<Rational>> {
         let here = wanted.form.at(base)?;
         self.directions.iter().find_map(|d| {
@@ -202,7 +201,7 @@ fn mixed(a: &[Rational], b: &[Rational], t: &Rational) -> Vec<Rational> {
     a.iter().zip(b).map(|(x, y)| x + (y - x) * t).collect()
 }
 
-/// How long the numbers are to write: the measure of simplicity.
+/// The total length of the numbers in writing: the measure of simplicity.
 fn size(x: &[Rational]) -> u64 {
     x.iter().map(|x| x.numer().bits() + x.denom().bits()).sum()
 }

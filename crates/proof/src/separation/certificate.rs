@@ -1,7 +1,7 @@
-//! What was found about a response, as certificates of the kind `invariance`.
+//! Certificates, of the kind `invariance`, for results about a response.
 //!
-//! The first steps are a chain of nodes that enclose the state: exact numbers grow with every
-//! step, bounds in decimals do not.
+//! The first steps are a chain of nodes with bounds for the state: exact numbers grow with every step,
+//! bounds with a fixed number of decimals do not.
 
 use std::collections::BTreeMap;
 
@@ -22,15 +22,15 @@ const KEPT: &str = "kept";
 /// Decimal places of the bounds, tried in turn.
 const PLACES: [u32; 7] = [10, 16, 24, 36, 54, 81, 120];
 
-/// Steps that bounds may take longer into a cone than the states that they enclose.
+/// Steps by which bounds may enter a cone later than the states that they enclose.
 const LATER: usize = 10;
 
 fn after(step: usize) -> String {
     format!("after{step}")
 }
 
-/// No readout is ever negative, from any nonnegative combination of the starts: the states of the
-/// first steps, and then the cone. `None` where the bounds that were tried are too wide.
+/// Certifies that no readout is ever negative, from any nonnegative combination of the starts: first a
+/// chain of states, then the cone. `None` where the bounds that were tried are too wide.
 pub fn nonnegative(response: &Response, cone: &Cone) -> Option<Value> {
     PLACES.into_iter().find_map(|places| entering(response, cone, places))
 }
@@ -74,7 +74,7 @@ fn entering(response: &Response, cone: &Cone, places: u32) -> Option<Value> {
     Some(whole.certificate())
 }
 
-/// A readout is negative at a step, from the start with any positive factor.
+/// Certifies that a readout is negative at a step, from any positive multiple of the start.
 pub fn negative(response: &Response, found: &Negative) -> Option<Value> {
     let against: Vec<Rational> = response.readouts.get(found.readout)?.iter().map(|x| -x).collect();
     PLACES.into_iter().find_map(|places| {
@@ -88,22 +88,22 @@ pub fn negative(response: &Response, found: &Negative) -> Option<Value> {
     })
 }
 
-/// What is known of the state after a step: `low s <= state <= high s`, s being how much there is
-/// of each start.
+/// Bounds for the state after a step: `low s <= state <= high s`, where s has the factors of the
+/// starts.
 struct Bounds {
     low: Matrix,
     high: Matrix,
 }
 
-/// What is known after each of the first steps.
+/// The bounds after each of the first steps.
 struct Chain<'r> {
     matrix: &'r Matrix,
-    /// The state's names, then those of the starts.
+    /// The names of the state, then those of the starts.
     names: Vec<String>,
     size: usize,
-    /// A unit of the bounds' last places.
+    /// One unit in the last place of the bounds.
     unit: Rational,
-    /// The first ones are exact, both the same.
+    /// The first bounds are exact, with both ends equal.
     known: Vec<Bounds>,
     edges: Vec<Edge>,
 }
@@ -123,12 +123,12 @@ impl<'r> Chain<'r> {
         }
     }
 
-    /// The last step of which something is known.
+    /// The last step with bounds.
     fn step(&self) -> usize {
         self.known.len() - 1
     }
 
-    /// Bounds after a step more.
+    /// Adds the bounds after one more step.
     fn advance(&mut self) -> Option<()> {
         let down = |x: &Rational| (x / &self.unit).floor() * &self.unit;
         let negated = |row: &[Rational]| -> Vec<Rational> { row.iter().map(|x| -x).collect() };
@@ -155,7 +155,7 @@ impl<'r> Chain<'r> {
         Some(())
     }
 
-    /// What a form of the state is at least now, in multiples of the starts.
+    /// The lower bound of a form of the state after the last step, in multiples of the starts.
     fn least(&self, row: &[Rational]) -> Vec<Rational> {
         let mut sum = vec![Rational::zero(); self.names.len() - self.size];
         for (c, (low, high)) in self.known.last().iter().flat_map(|now| {
@@ -167,8 +167,8 @@ impl<'r> Chain<'r> {
         sum
     }
 
-    /// Multipliers that show that a form of the state is now at least these multiples of the
-    /// starts, or 0. `None` where what is known does not say so.
+    /// Multipliers that show that a form of the state is at least these multiples of the starts (or at
+    /// least 0) after the last step. `None` where the bounds do not imply it.
     fn follows(&self, row: &[Rational], least: Option<&Vec<Rational>>) -> Option<Multipliers> {
         let mut left = self.least(row);
         if let Some(least) = least {
@@ -191,7 +191,7 @@ impl<'r> Chain<'r> {
         Some(multipliers(&all))
     }
 
-    /// That a form of the state is now as `relation` says of 0.
+    /// The claim that a form of the state compares with 0 as `relation` after the last step.
     fn claim(&self, row: &[Rational], relation: &str) -> Option<NodeClaim> {
         let multipliers = self.follows(row, None)?;
         Some(NodeClaim { at: after(self.step()), holds: self.literal(row, relation), multipliers })
@@ -205,7 +205,7 @@ impl<'r> Chain<'r> {
         format!("{} {relation} 0", self.form(row))
     }
 
-    /// The chain alone; the starts' factors are `relation` 0.
+    /// The certificate with the chain alone; `relation` compares the factors of the starts with 0.
     fn unrolled(self, response: &Response, relation: &str, claims: Vec<NodeClaim>) -> Invariance {
         let updates = self.names.iter().zip(response.matrix.iter().map(|row| self.form(row)));
         let step = updates.map(|(name, row)| (name.clone(), row)).collect();

@@ -1,4 +1,4 @@
-//! Cones that a linear system keeps and in which its readouts are nonnegative.
+//! Cones that are invariant under a linear system and on which its readouts are nonnegative.
 
 use cordon_core::Rational;
 use cordon_core::exact::to_f64;
@@ -15,27 +15,27 @@ use super::modes::{Mode, modes};
 /// Rows F with F A = M F and M >= 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cone {
-    /// F: the cone is where no row is negative.
+    /// F: the cone is the set where F x >= 0.
     pub rows: Matrix,
-    /// The matrix M of F A = M F, without a negative entry.
+    /// The nonnegative matrix M of F A = M F.
     pub multipliers: Matrix,
-    /// The readouts as combinations of the rows.
+    /// The readouts as nonnegative combinations of the rows.
     pub readouts: Matrix,
-    /// The step from which on every start is in the cone.
+    /// The step from which every start is in the cone.
     pub entered: usize,
 }
 
-/// Decimal places of the rows, in units of a column's largest entry, that are tried in turn.
+/// Decimal places of the rows, in units of a column's largest entry, tried in turn.
 const DIGITS: [usize; 3] = [5, 7, 9];
 
-/// By how much the cone is wider than the readouts need.
+/// Factors by which the cone is wider than the readouts need.
 const WIDTHS: [f64; 2] = [1.05, 1.3];
 
-/// Most corners of a polygon around the slowest mode.
+/// Most corners of the polygons around the slowest mode.
 const MOST_CORNERS: usize = 200;
 
 impl Cone {
-    /// Whether everything is as the fields say, exactly, apart from where the starts are.
+    /// Whether all fields are as stated, exactly, except `entered`.
     pub fn is_kept_by(&self, response: &Response) -> bool {
         let nonnegative = |m: &Matrix| m.iter().flatten().all(|x| !x.is_negative());
         let combined = |m: &Matrix| m.iter().map(|row| before(row, &self.rows)).collect::<Matrix>();
@@ -47,7 +47,7 @@ impl Cone {
     }
 }
 
-/// A cone for the response. `None` where its slowest mode is no positive number, or no cone was
+/// A cone for the response. `None` where its slowest mode is not a positive number, or no cone was
 /// found.
 pub(super) fn find(response: &Response) -> Option<Cone> {
     let modes = modes(&response.matrix, &response.readouts)?;
@@ -60,7 +60,8 @@ pub(super) fn find(response: &Response) -> Option<Cone> {
         .find(|cone| cone.is_kept_by(response))
 }
 
-/// The cone of these rows, where they are kept and have the readouts among their combinations.
+/// The cone of these rows, if it is invariant and the readouts are nonnegative combinations of the
+/// rows.
 fn judged(response: &Response, rows: Matrix) -> Option<Cone> {
     let nonnegative = |row: &Vec<Rational>| Constraint {
         form: Affine::new(Rational::zero(), row.clone()),
@@ -75,8 +76,8 @@ fn judged(response: &Response, rows: Matrix) -> Option<Cone> {
     Some(Cone { rows, multipliers, readouts, entered: 0 })
 }
 
-/// Rows around the slowest mode: with each of the others added and taken away, a pair of conjugate
-/// ones along the corners of a polygon, far enough for every readout to be a mean of them.
+/// Rows around the slowest mode: plus and minus each real mode, and for a conjugate pair the corners of
+/// a polygon, far enough out for every readout to be a mean of them.
 fn suggested(modes: &[Mode], width: f64) -> Option<Vec<Vec<f64>>> {
     let (slowest, others) = modes.split_first()?;
     let slowest_factor = slowest.factor.re;
@@ -87,8 +88,8 @@ fn suggested(modes: &[Mode], width: f64) -> Option<Vec<Vec<f64>>> {
     if heads.iter().any(|head| *head <= 0.0) {
         return None;
     }
-    // Readouts are means of rows: the slower a mode, the more weight its rows have, and the less
-    // wide they are, so that the cone is entered early.
+    // Readouts are means of rows: the slower a mode, the more weight its rows have and the narrower
+    // they are, so that the cone is entered early.
     let slowness = |mode: &Mode| 1.0 / (1.0 - mode.factor.norm_sqr().sqrt() / slowest_factor);
     let total: f64 = others.iter().map(slowness).sum();
     let mut rows = Vec::new();
@@ -120,7 +121,7 @@ struct Polygon {
 }
 
 impl Polygon {
-    /// The one with the fewest corners that a multiplication by `factor` takes well into itself.
+    /// The polygon with the fewest corners that multiplication by `factor` maps well into itself.
     fn turned_by(factor: Complex<f64>) -> Option<Self> {
         let size = factor.norm_sqr().sqrt();
         let slack = 0.1 * (1.0 - size);
@@ -138,13 +139,13 @@ impl Polygon {
         Self { corners, normals }
     }
 
-    /// By what factor the polygon has to grow to reach a point.
+    /// The factor by which the polygon has to be scaled to reach a point.
     fn gauge(&self, point: Complex<f64>) -> f64 {
         self.normals.iter().fold(0.0_f64, |m, n| m.max((point * n.conj()).re))
     }
 }
 
-/// cos + i sin, by the series: the same on every machine.
+/// cos + i sin, by the power series: the same on every machine.
 fn cis(angle: f64) -> Complex<f64> {
     let (mut sum, mut term) = (Complex::<f64>::zero(), Complex::<f64>::one());
     for k in 1..60 {

@@ -1,4 +1,4 @@
-//! The smallest gap of the desired positions, kept by every step of coverage.
+//! The smallest gap of the desired positions, preserved by every step of coverage.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ use crate::certificate::linear::{Edge, Invariance, LinearSystem, NodeClaim, form
 /// Most drones for which a certificate is written.
 pub const MOST: usize = 198;
 
-/// Who updates in a step.
+/// Which drones update in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Update {
     /// All drones at once.
@@ -26,9 +26,9 @@ pub enum Update {
 
 const KEPT: &str = "kept";
 
-/// The certificate that gaps of at least `least` stay so, for ever, from a start whose end drones
-/// are at the ends of the segment. `None` where a step may lower the smallest gap, where the
-/// start has a smaller one, and beyond [`MOST`] drones.
+/// The certificate that all gaps stay at least `least`, at all steps, from a start whose end drones are
+/// at the ends of the segment. `None` where a step may lower the smallest gap, where the start has a
+/// smaller one, and beyond [`MOST`] drones.
 pub fn smallest_gap(
     start: &[Rational],
     eps: &Rational,
@@ -55,7 +55,7 @@ pub fn smallest_gap(
             })
             .collect(),
     };
-    // The end drones' places, and the gaps.
+    // The end drones' positions, and the gaps.
     let kept = |x: &[Affine]| -> Vec<Constraint> {
         let pinned = [(0, min), (count - 1, max)]
             .map(|(i, at)| Constraint { form: x[i].clone() - &constant(at), sign: Sign::Zero });
@@ -94,7 +94,7 @@ pub fn smallest_gap(
     for (name, after) in &modes {
         let goals = kept(after);
         let rows = goals.iter().enumerate().map(|(place, goal)| {
-            // A gap takes of itself and of those beside it.
+            // A gap after the step depends on itself and on its neighbours.
             let near: Vec<usize> =
                 (0..now.len()).filter(|&p| p < 2 || p.abs_diff(place) < 2).collect();
             let given: Vec<Constraint> = near.iter().map(|&p| now[p].clone()).collect();
@@ -138,7 +138,7 @@ pub fn smallest_gap(
     Some(whole.certificate())
 }
 
-/// Multipliers of the given equations for one of them after a step: an end drone stays where it is.
+/// Multipliers of the given equations that yield one of them after a step: an end drone does not move.
 fn pinned(given: &[Constraint], goal: &Constraint) -> Option<Vec<Rational>> {
     let whole = |is: bool| Rational::from_integer(i32::from(is).into());
     let constant = goal.form.as_constant().is_some_and(|c| *c == whole(false));

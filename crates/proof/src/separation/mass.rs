@@ -1,8 +1,8 @@
-//! How much of a response is negative, where some is, and how much there is without signs.
+//! Bounds on the negative part of a response, and on the sum of its magnitudes.
 //!
-//! The first samples are executed; what comes after them is below a geometric sequence: with one
-//! more member s of the state, s' = rate s, both s - y and s + y of every readout y are never
-//! negative, which is a cone like any other.
+//! The first samples are executed; the rest is bounded by a geometric sequence: with an additional
+//! state variable s, s' = rate s, both s - y and s + y are never negative for every readout y, which is
+//! shown by a cone as for any other response.
 
 use cordon_core::Rational;
 use cordon_core::linear::matrix::{Matrix, dot};
@@ -14,38 +14,38 @@ use super::modes::modes;
 use super::path::{Entry, Path, entry};
 use super::{Cone, Response};
 
-/// Bounds of the negative part of a response, and of all of it.
+/// Bounds on the negative part of a response, and on all of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mass {
-    /// What the negative samples of a readout sum up to at most, with their signs changed.
+    /// An upper bound on the sum of the magnitudes of the negative samples of a readout.
     pub negative: Rational,
-    /// What they all sum up to at most, without their signs.
+    /// An upper bound on the sum of the magnitudes of all samples.
     pub absolute: Rational,
-    /// Samples that were executed.
+    /// Number of samples that were executed.
     pub samples: usize,
-    /// The part of the bound that is for all samples after these.
+    /// The part of the bound that covers all later samples.
     pub tail: Rational,
-    /// Sample k is at most `scale rate^k`.
+    /// Sample k is at most `scale rate^k` in magnitude.
     pub scale: Rational,
     /// The factor by which the tail shrinks in `block` samples, below 1.
     pub rate: Rational,
-    /// The system with s in its state, and readouts s - y and s + y.
+    /// The system with s in its state, and the readouts s - y and s + y.
     pub bounded: Response,
-    /// Why these are never negative.
+    /// The cone that shows that these are never negative.
     pub cone: Cone,
 }
 
 /// Decimal places of the bound.
 const PLACES: u32 = 9;
 
-/// What the tail should be below, in decimal places.
+/// The tail is to be less than one unit in this decimal place.
 const TAIL_PLACES: u32 = 6;
 
 /// Most samples that are executed.
 const MOST_SAMPLES: usize = 5_000;
 
-/// The masses of the response to its first start, the worst of its readouts. `None` where the response does
-/// not die out, or no bound was found.
+/// The masses of the response to its first start, the largest over its readouts. `None` where the
+/// response does not decay, or no bound was found.
 pub fn masses(response: &Response) -> Option<Mass> {
     let slowest = modes(&response.matrix, &response.readouts)?.first()?.factor.norm_sqr().sqrt();
     if slowest.is_nan() || slowest >= 1.0 {
@@ -57,7 +57,7 @@ pub fn masses(response: &Response) -> Option<Mass> {
     let (name, start) = response.starts.first()?;
     let mut bounded = with_bound(response, &rate);
     let mut cone = cone::find(&bounded)?;
-    // The least scale with which the start is in the cone, and a little more for short digits.
+    // The least scale with which the start is in the cone, rounded up to few digits.
     let needed = cone.rows.iter().map(|row| {
         let (bound, state) = row.split_last()?;
         bound.is_positive().then(|| -dot(state, start) / bound)
@@ -79,7 +79,7 @@ pub fn masses(response: &Response) -> Option<Mass> {
     }
     let mut path = Path::new(&response.matrix, start);
     let mut sums = vec![[Rational::zero(), Rational::zero()]; response.readouts.len()];
-    // Samples are rounded down by less than this.
+    // Bounds the error of rounding the samples down.
     let rounded = Rational::new(BigInt::one(), BigInt::from(10).pow(2 * PLACES));
     for _ in 0..samples {
         for (sums, sample) in sums.iter_mut().zip(path.values(&response.readouts, 2 * PLACES)) {

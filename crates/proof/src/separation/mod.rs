@@ -1,14 +1,14 @@
-//! Separation of drones in flight: the response of one drone's loop is nowhere negative, shown by
-//! a cone that the loop keeps.
+//! Separation of drones in flight: the response of one drone's loop is never negative, shown by an
+//! invariant cone.
 //!
-//! Drones that are one linear system and start at rest fly along convex combinations of the
-//! desired placements so far and of the start, as long as no sample of the response to a command
-//! is negative (PROTOCOL section 3): the smallest gap is kept. That no sample is negative, out of
-//! infinitely many, follows from rows F with F A = M F, M >= 0, of which the readouts are
-//! nonnegative combinations and which the state meets from some step on.
+//! Drones that are one linear system and start at rest fly along convex combinations of the start and
+//! the desired placements so far, as long as no sample of the response to a command is negative
+//! (PROTOCOL section 3): the smallest gap is kept. That none of the infinitely many samples is negative
+//! follows from rows F with F A = M F, M >= 0, such that the readouts are nonnegative combinations of
+//! the rows and F x >= 0 for the state x from some step on.
 //!
-//! Rows are suggested by the modes of A in doubles; whether they are what is wanted is decided on
-//! exact numbers.
+//! Rows are suggested by the modes of A in doubles; whether they meet these conditions is decided
+//! exactly.
 
 mod certificate;
 mod cone;
@@ -26,51 +26,50 @@ pub use certificate::{negative, nonnegative};
 pub use cone::Cone;
 pub use mass::{Mass, masses};
 
-/// Samples looked at for a negative one before a cone is searched, which takes longer.
+/// Samples checked for a negative one before the search for a cone, which takes longer.
 const FIRST_STEPS: usize = 150;
 
-/// Samples looked at in all, and steps until a state has to be in a cone.
+/// Most samples checked, and most steps until a state has to be in a cone.
 const MOST_STEPS: usize = 800;
 
-/// A linear system, states that it may start in, and forms of the state that should never be
-/// negative.
+/// A linear system, its start states, and forms of the state that should never be negative.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Response {
-    /// Names of the state's members.
+    /// Names of the state variables.
     pub state: Vec<String>,
-    /// What a state becomes in a step.
+    /// The state transition of one step.
     pub matrix: Matrix,
-    /// The starts, each with a name for how much of it there is.
+    /// The starts, each with a name for its factor.
     pub starts: Vec<(String, Vec<Rational>)>,
-    /// The forms c whose responses are asked for.
+    /// The forms c whose responses are checked.
     pub readouts: Matrix,
 }
 
-/// A readout that is negative.
+/// A negative sample of a readout.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Negative {
-    /// Number of the start.
+    /// Index of the start.
     pub start: usize,
-    /// Samples after the impulse.
+    /// Number of steps after the impulse.
     pub step: usize,
-    /// Number of the readout.
+    /// Index of the readout.
     pub readout: usize,
     /// The response there, below 0.
     pub value: Rational,
 }
 
-/// What is known of a response.
+/// The result for a response.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Finding {
-    /// No readout is ever negative, from no nonnegative combination of the starts.
+    /// No readout is ever negative, from any nonnegative combination of the starts.
     NonNegative(Cone),
-    /// A response is negative at this sample.
+    /// This sample of a response is negative.
     Negative(Negative),
     /// Neither a cone nor a negative sample was found.
     Undecided,
 }
 
-/// Looks for a cone, or for a negative sample.
+/// Searches for a cone, or for a negative sample.
 pub fn decide(response: &Response) -> Finding {
     if let Entry::Negative(sample) = entry(response, None, FIRST_STEPS) {
         return Finding::Negative(sample);

@@ -1,6 +1,6 @@
-//! The modes of a linear system, in doubles: suggestions only.
+//! The modes of a linear system, in doubles: used for suggestions only.
 //!
-//! Nothing but the four operations and square roots is used, which are the same on every machine.
+//! Only the four operations and square roots are used, which give the same results on every machine.
 
 use cordon_core::exact::to_f64;
 use cordon_core::linear::matrix::{Matrix, before, product};
@@ -10,23 +10,23 @@ use num_traits::{One, Zero};
 
 type Double = Complex<f64>;
 
-/// A mode: one eigenvalue, or a conjugate pair by its member above the real axis.
+/// A mode: a real eigenvalue, or a conjugate pair given by its member above the real axis.
 #[derive(Clone, Debug)]
 pub(super) struct Mode {
-    /// What a step multiplies it by.
+    /// The eigenvalue, by which a step multiplies the mode.
     pub(super) factor: Double,
-    /// The part of the first readout that belongs to it: a left eigenvector.
+    /// The component of the first readout in this mode: a left eigenvector.
     pub(super) row: Vec<Double>,
-    /// The parts of all readouts, in multiples of the first one's.
+    /// The components of all readouts, in multiples of the first one's.
     pub(super) shares: Vec<Double>,
 }
 
 /// Most iterations for the eigenvalues.
 const ITERATIONS: usize = 400;
 
-/// The modes, the slowest first. `None` where doubles cannot tell them.
+/// The modes, the slowest first. `None` where doubles cannot separate them.
 pub(super) fn modes(matrix: &Matrix, readouts: &Matrix) -> Option<Vec<Mode>> {
-    // Factors are near 1 where steps are short: what they are beyond 1 is found instead.
+    // Eigenvalues are near 1 where steps are short: compute their difference from 1 instead.
     let unit = matrix::unit(matrix.len());
     let beyond: Matrix = matrix
         .iter()
@@ -43,7 +43,7 @@ pub(super) fn modes(matrix: &Matrix, readouts: &Matrix) -> Option<Vec<Mode>> {
     Some(found)
 }
 
-/// The characteristic polynomial, from the constant upwards (Faddeev and LeVerrier).
+/// The characteristic polynomial, constant term first (Faddeev and LeVerrier).
 fn characteristic(matrix: &Matrix) -> Vec<Rational> {
     let size = matrix.len();
     let mut coefficients = vec![Rational::one()];
@@ -60,7 +60,7 @@ fn characteristic(matrix: &Matrix) -> Vec<Rational> {
     coefficients
 }
 
-/// The roots of a monic polynomial with distinct roots, exactly real ones as such (Weierstrass,
+/// The roots of a monic polynomial with distinct roots; real roots are exactly real (Weierstrass,
 /// Durand and Kerner).
 fn roots(polynomial: &[f64]) -> Option<Vec<Double>> {
     let degree = polynomial.len() - 1;
@@ -94,12 +94,12 @@ fn roots(polynomial: &[f64]) -> Option<Vec<Double>> {
     Some(z)
 }
 
-/// The mode of one root: readout times the polynomial without that root, of the matrix. Sums that
-/// nearly cancel are exact.
+/// The mode of one root: the readout times the matrix polynomial with that root divided out. Sums that
+/// nearly cancel are computed exactly.
 fn mode(beyond: &Matrix, polynomial: &[Rational], readouts: &Matrix, root: Double) -> Option<Mode> {
     let exact = Complex::new(Rational::from_float(root.re)?, Rational::from_float(root.im)?);
     let real = |x: &Rational| Complex::new(x.clone(), Rational::zero());
-    // Synthetic division; and the quotient at the root.
+    // Synthetic division, and the quotient at the root.
     let mut quotient: Vec<Complex<Rational>> = Vec::new();
     for c in polynomial.iter().skip(1).rev() {
         let carried = quotient.last().map_or_else(Complex::zero, |q| q * &exact);

@@ -1,4 +1,4 @@
-//! The states that a start leads to, exactly, until they are in a cone.
+//! The exact states from a start until they enter a cone.
 
 use cordon_core::Rational;
 use cordon_core::linear::matrix::Matrix;
@@ -8,8 +8,7 @@ use num_traits::{One, Pow, Signed, Zero};
 
 use super::{Negative, Response};
 
-/// A state in whole numbers over one denominator, which is not brought to lowest terms: signs need
-/// none.
+/// A state as integers over one denominator, not in lowest terms: signs do not need that.
 pub(super) struct Path {
     matrix: Vec<Vec<BigInt>>,
     by: BigInt,
@@ -17,7 +16,7 @@ pub(super) struct Path {
     over: BigInt,
 }
 
-/// Numerators over the least common denominator.
+/// Numerators over the least common denominator, and that denominator.
 fn integral<'a>(numbers: impl Iterator<Item = &'a Rational> + Clone) -> (Vec<BigInt>, BigInt) {
     let over = numbers.clone().fold(BigInt::one(), |over, x| over.lcm(x.denom()));
     (numbers.map(|x| x.numer() * (&over / x.denom())).collect(), over)
@@ -27,7 +26,7 @@ fn dot(row: &[BigInt], state: &[BigInt]) -> BigInt {
     row.iter().zip(state).filter(|(a, _)| !a.is_zero()).map(|(a, x)| a * x).sum()
 }
 
-/// Rows up to a positive factor each.
+/// Each row scaled by a positive factor to integers.
 fn directions(rows: &Matrix) -> Vec<Vec<BigInt>> {
     rows.iter().map(|row| integral(row.iter()).0).collect()
 }
@@ -60,24 +59,24 @@ impl Path {
         rows.iter().map(value).collect()
     }
 
-    /// The first of the rows that is negative.
+    /// The first row that is negative at this state.
     fn negative(&self, rows: &[Vec<BigInt>]) -> Option<usize> {
         rows.iter().position(|row| dot(row, &self.state).is_negative())
     }
 }
 
-/// Where the starts get to.
+/// Where the runs from the starts lead.
 pub(super) enum Entry {
-    /// Into the cone, all of them from this step on, and no readout was negative before.
+    /// All are in the cone from this step on, and no readout was negative before.
     At(usize),
-    /// A readout is negative before.
+    /// A readout is negative first.
     Negative(Negative),
-    /// Neither, for as long as was looked.
+    /// Neither, within the steps that were allowed.
     Nowhere,
 }
 
-/// Follows the starts until no row is negative, for at most so many steps; without rows, until a
-/// readout is.
+/// Follows the starts until no row is negative, for at most `most` steps; without rows, until a readout
+/// is negative.
 pub(super) fn entry(response: &Response, rows: Option<&Matrix>, most: usize) -> Entry {
     let readouts = directions(&response.readouts);
     let rows = rows.map(directions);

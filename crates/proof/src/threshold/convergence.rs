@@ -1,9 +1,9 @@
 //! The critical weight of convergence (theorem 7.8): eps*_N = 1/(1 + cos(pi/(N-1))), bracketed
 //! by rational Perron vectors without a cosine.
 //!
-//! One positive vector w whose ratios r_i = (w_{i-1} + w_{i+1})/w_i lie in \[r, R\] decides
-//! almost every weight: for 0 < eps < 2/(2 + R) it contracts, |A| w < w, and every run
-//! converges; for eps >= 2/(2 + r) it grows, |A| w >= w, and some run does not.
+//! A positive vector w whose ratios r_i = (w_{i-1} + w_{i+1})/w_i lie in \[r, R\] decides almost every
+//! weight: for 0 < eps < 2/(2 + R) it contracts, |A| w < w, and every run converges; for eps >= 2/(2 +
+//! r) it grows, |A| w >= w, and some run does not converge.
 
 use num_bigint::BigInt;
 use num_traits::{One, Pow};
@@ -11,15 +11,15 @@ use num_traits::{One, Pow};
 use cordon_core::Rational;
 use cordon_core::linear::perron::Perron;
 
-/// A bracket of the critical weight with what proves each side.
+/// A bracket of the critical weight, with proofs of both sides.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Bracket {
     /// The number of drones.
     pub count: usize,
     /// The critical weight itself, where it is rational and hence known exactly.
     pub exact: Option<Rational>,
-    /// A weight at which every run converges, a multiple of 10^-digits at most one such unit
-    /// below the critical weight.
+    /// A weight at which every run converges: the multiple of 10^-digits at most one unit below the
+    /// critical weight.
     pub below: Rational,
     /// A weight at which some run does not converge: `below` plus 10^-digits, or the critical
     /// weight itself.
@@ -32,11 +32,11 @@ pub struct Bracket {
     pub growth: Rational,
 }
 
-/// The bracket of width 10^-digits for `count` drones. `None` where no vector of sufficient
-/// quality was found, which no size up to the limits of this module has shown.
+/// The bracket of width 10^-digits for `count` drones. `None` where no vector of sufficient quality was
+/// found, which has not happened for any size up to the limits of this module.
 pub fn bracket(count: usize, digits: usize) -> Option<Bracket> {
-    // log2(10) < 3.33; the ratios' spread is the bracket's, and a few bits more make it rare
-    // that a multiple of 10^-digits falls into it.
+    // log2(10) < 3.33; the spread of the ratios is the width of the bracket, and a few extra bits make
+    // it unlikely that a multiple of 10^-digits falls into it.
     let mut bits = 10 * digits as u64 / 3 + 16;
     for _ in 0..6 {
         let vector = Perron::find(count, bits)?;
@@ -60,7 +60,7 @@ fn from_vector(count: usize, digits: usize, vector: Perron) -> Option<Bracket> {
     if above < grows_from {
         return None;
     }
-    // The spec has the last word on both factors.
+    // The spec confirms both factors.
     let (_, contraction) = vector.ratios_by_spec(&below)?;
     let (growth, _) = vector.ratios_by_spec(&above)?;
     let one = Rational::one();
@@ -76,8 +76,8 @@ pub fn rounded_up_below_one(factor: &Rational) -> Option<Rational> {
     let one = Rational::one();
     let mut unit = one.clone();
     let ten = Rational::from_integer(10.into());
-    // 1 - factor is a positive fraction: 10^-m falls below it for some m up to the length of
-    // its denominator.
+    // 1 - factor is a positive fraction: 10^-m falls below it for some m up to the length of its
+    // denominator.
     for _ in 0..=factor.denom().bits() {
         let candidate = &one - &unit;
         if candidate >= *factor {

@@ -11,7 +11,7 @@ use cordon_core::Rational;
 use cordon_core::linear::rows::Row;
 use cordon_core::stencil::{Role, Stencil};
 
-/// Most drones for which a certificate is written: those of users' own protocols.
+/// Most drones for which a certificate is written: the limit of protocol files.
 pub const MOST: usize = 198;
 
 /// `normal . x = bound` (a pinned drone), `>=` or `>` it.
@@ -21,9 +21,9 @@ struct Face {
     relation: &'static str,
 }
 
-/// The certificate that one step at weight `eps` keeps the cone, on the segment \[0, 1\]: in
-/// positions, with the protocol's matrix as the spec has it. `None` where a multiplier would
-/// be negative, hence where the cone is not kept, and beyond [`MOST`] drones.
+/// The certificate that one step at weight `eps` preserves the cone, on the segment \[0, 1\]: in
+/// positions, with the step's matrix from the spec. `None` where a multiplier would be negative, that
+/// is, where the cone is not preserved, and beyond [`MOST`] drones.
 pub fn certificate(cone: Cone, count: usize, eps: &Rational) -> Option<Value> {
     if count > MOST {
         return None;
@@ -43,7 +43,7 @@ pub fn certificate(cone: Cone, count: usize, eps: &Rational) -> Option<Value> {
         if let Some(parts) = j.checked_sub(own).and_then(|facet| coefficients.get(facet)) {
             m.splice(own.., parts.iter().cloned());
         }
-        // What is left is a multiple of the pinned positions.
+        // The remainder is a multiple of the pinned positions.
         let left = |x: usize| {
             let have: Rational = faces.iter().zip(&m).map(|(f, m)| &f.normal[x] * m).sum();
             &target[x] - have
@@ -88,7 +88,7 @@ fn transition(stencil: &Stencil<Rational>, count: usize) -> (Vec<Vec<Rational>>,
         let w = stencil.weights(Role::of(i, count));
         let mut row = vec![Rational::zero(); count];
         row[i].clone_from(&w.own);
-        // Of what lies beyond the line, the lower end counts 0 and the upper end 1.
+        // Beyond the line, the lower end is at 0 and the upper end at 1.
         let mut offset = w.max.clone();
         if i > 0 {
             row[i - 1].clone_from(&w.prec);
@@ -130,7 +130,7 @@ fn facets(cone: Cone, count: usize) -> Vec<Face> {
     }
 }
 
-/// Row i: of what multiples of the old coordinates the new coordinate i is the sum.
+/// Row i gives the new coordinate i as a combination of the old coordinates.
 fn cone_matrix(
     cone: Cone,
     stencil: &Stencil<Rational>,

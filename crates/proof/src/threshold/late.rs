@@ -1,5 +1,6 @@
-//! The critical weight of ordering (theorem 7.2) where messages are late: below, an invariant for every
-//! pattern of delays; above, a run. In between, what ended the search.
+//! The critical weight of ordering (theorem 7.2) when messages are late: below it, an invariant for
+//! every pattern of delays; above it, a run that violates it. In between, the reason why the search
+//! ended.
 
 use cordon_core::{Rational, Result};
 use num_bigint::BigInt;
@@ -10,47 +11,47 @@ use super::safety::{Cone, critical};
 use crate::counterexample::Counterexample;
 use crate::refute::departing::{Order, crossing, order};
 
-/// A weight at which order was proved.
+/// A weight at which ordering was proved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kept {
     /// The weight up to which order is kept.
     pub eps: Rational,
-    /// Half-spaces of the invariant.
+    /// Number of half-spaces of the invariant.
     pub half_spaces: usize,
-    /// The certificate, which the independent checker has accepted.
+    /// The certificate, accepted by the independent checker.
     pub certificate: Value,
 }
 
-/// What was found for one number of drones and one longest delay, of weights that are multiples of
+/// The result for one number of drones and one longest delay, among weights that are multiples of
 /// 10^-digits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bracket {
     /// Number of drones, at least 3.
     pub count: usize,
-    /// Steps that a message may be late.
+    /// Largest delay of a message, in steps.
     pub longest: usize,
-    /// The largest weight at which order was proved.
+    /// The largest weight at which ordering was proved.
     pub kept: Option<Kept>,
-    /// The smallest at which a crossing was found, with its run.
+    /// The smallest weight at which a crossing was found, with its run.
     pub lost: Counterexample,
-    /// The smallest weight tried at which neither was found, and what ended the search there.
+    /// The smallest weight tried at which neither was found, and the reason why the search ended.
     pub open: Option<(Rational, String)>,
-    /// Whether the largest weight is the critical one: that of prompt messages, beyond which drones cross
-    /// at step 1.
+    /// Whether the largest weight is the critical one: that of prompt messages, beyond which drones
+    /// cross at step 1.
     pub is_exact: bool,
 }
 
-/// Most work at one weight, in the unit of [`cordon_core::simplex::Work`]: some seconds.
+/// Default limit of the work at one weight, in units of [`cordon_core::simplex::Work`]: some seconds.
 pub const WORK: u64 = 120_000_000;
 
-/// Brackets the critical weight of `count` drones whose messages are up to `longest` steps late; at each
-/// weight the search takes `work` at most, and there are no more weights than halving takes.
+/// Brackets the critical weight of `count` drones whose messages are up to `longest` steps late, by
+/// bisection; the search at each weight takes at most `work`.
 ///
-/// Both sides are facts about the two weights; that one halves towards them takes for granted that larger
-/// weights are worse. `None` where prompt messages have no critical weight, which does not happen.
+/// Both sides are facts about the two weights; only the bisection assumes that larger weights are
+/// worse. `None` where prompt messages have no critical weight, which does not happen.
 ///
 /// # Errors
-/// There are more drones and delays than a system has variables.
+/// Drones and delays need more variables than a system may have.
 pub fn bracket(count: usize, longest: usize, digits: usize, work: u64) -> Result<Option<Bracket>> {
     let Some(prompt) = critical(Cone::PositiveGaps, count, digits) else { return Ok(None) };
     let mut found =
@@ -88,7 +89,7 @@ pub fn bracket(count: usize, longest: usize, digits: usize, work: u64) -> Result
 }
 
 impl Bracket {
-    /// Takes in what is known of a weight; whether order is kept there.
+    /// Records a result at a weight; returns whether order is kept there.
     fn take(&mut self, eps: &Rational, known: Order) -> bool {
         let eps = eps.clone();
         match known {

@@ -15,10 +15,10 @@ pub const FEWEST: usize = 3;
 /// Most drones: one certificate of this size is still checked within a second.
 pub const MOST: usize = 1_000;
 
-/// Most digits: beyond any use, and still a matter of seconds.
+/// Most digits: more than any use needs, and still a matter of seconds.
 pub const MOST_DIGITS: usize = 1_000;
 
-/// Checks the number of drones and of digits.
+/// Checks the number of drones and the number of digits.
 ///
 /// # Errors
 /// Either is out of range.

@@ -1,11 +1,11 @@
 //! The critical weight of ordering (theorem 7.2) and of the upper bound (theorem 7.3).
 //!
-//! Both say that a cone is kept: positive gaps, nonnegative errors. One step of the spec, run
-//! with the weight as an indeterminate in the cone's coordinates, gives the matrix of
-//! the step with entries that are polynomials in eps. Where all entries are nonnegative the
-//! cone is kept by one step, hence by any number of steps; where one is negative, a start
-//! close to its ray leaves the cone at step 1. The entries are affine in eps, so the weights
-//! of the first kind are an interval whose end is read off exactly.
+//! Both say that a cone is preserved: positive gaps, nonnegative errors. One step of the spec, executed
+//! with the weight as an indeterminate in the cone's coordinates, gives the matrix of the step with
+//! entries that are polynomials in eps. Where all entries are nonnegative, one step preserves the cone,
+//! and hence any number of steps; where one is negative, a start close to its ray leaves the cone at
+//! step 1. The entries are affine in eps, so the weights of the first kind form an interval whose end
+//! is read off exactly.
 
 use std::ops::Range;
 
@@ -21,7 +21,7 @@ use cordon_core::linear::simplest::strictly_between;
 use cordon_core::scalar::{Monomial, Polynomial};
 use cordon_core::stencil::Stencil;
 
-/// Which cone is to be kept.
+/// The cone to be preserved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cone {
     /// All gaps positive: theorem 7.2.
@@ -31,7 +31,7 @@ pub enum Cone {
 }
 
 impl Cone {
-    /// The theorem that says so.
+    /// The theorem that states that it is preserved.
     pub fn theorem(self) -> Theorem {
         match self {
             Self::PositiveGaps => Theorem::Ordering,
@@ -39,7 +39,7 @@ impl Cone {
         }
     }
 
-    /// The step in the cone's coordinates, and which of these are along its rays.
+    /// The step in the cone's coordinates, and the coordinates along its rays.
     pub(super) fn rows<T: Scalar + PartialEq>(
         self,
         stencil: &Stencil<T>,
@@ -52,12 +52,12 @@ impl Cone {
     }
 }
 
-/// One entry of the matrix of a step: how much of ray `ray` goes into coordinate `row`.
+/// An entry of the matrix of a step: the coefficient of ray `ray` in coordinate `row`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// Which gap or error after the step.
+    /// Index of the gap or error after the step.
     pub row: usize,
-    /// Which gap or error before it.
+    /// Index of the gap or error before the step.
     pub ray: usize,
     /// The polynomial in eps, lowest coefficient first; two coefficients.
     pub coefficients: [Rational; 2],
@@ -76,16 +76,16 @@ impl Entry {
     }
 }
 
-/// The critical weight with what proves each side.
+/// The critical weight, with proofs of both sides.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Critical {
-    /// The cone that is kept below the critical weight.
+    /// The cone that is preserved up to the critical weight.
     pub cone: Cone,
     /// The number of drones.
     pub count: usize,
-    /// The critical weight: kept for every eps in \[0, critical\], not kept for any beyond.
+    /// The critical weight: the cone is preserved for every eps in \[0, critical\] and for none beyond.
     pub critical: Rational,
-    /// How many entries were looked at: all that are not identically zero.
+    /// The number of entries examined: all that are not identically zero.
     pub entries: usize,
     /// The entry that turns negative at the critical weight.
     pub witness: Entry,
@@ -95,8 +95,8 @@ pub struct Critical {
 
 /// The critical weight of `cone` for `count` drones, with a violating run 10^-digits above it.
 ///
-/// `None` where the step is not affine in eps, or the safe weights are no interval \[0, c\]
-/// with c safe itself: neither happens with the protocol as specified.
+/// `None` where the step is not affine in eps, or the safe weights are not an interval \[0, c\]:
+/// neither happens with the protocol as specified.
 pub fn critical(cone: Cone, count: usize, digits: usize) -> Option<Critical> {
     let entries = entries(cone, count)?;
     let witness = entries
@@ -106,7 +106,7 @@ pub fn critical(cone: Cone, count: usize, digits: usize) -> Option<Critical> {
         .clone();
     let critical = witness.root()?;
     let ends = [Rational::zero(), critical.clone()];
-    // An affine entry that is nonnegative at both ends of an interval is so between them.
+    // An affine entry that is nonnegative at both ends of an interval is nonnegative in between.
     let kept = ends.iter().all(|eps| keeps(cone, count, &entries, eps));
     if !kept {
         return None;
@@ -117,15 +117,15 @@ pub fn critical(cone: Cone, count: usize, digits: usize) -> Option<Critical> {
     Some(Critical { cone, count, critical, entries: entries.len(), witness, above })
 }
 
-/// Whether one step at this weight keeps the cone: no entry negative, and for positive gaps no
-/// row zero.
+/// Whether one step at this weight preserves the cone: no entry is negative and, for positive gaps, no
+/// row is zero.
 fn keeps(cone: Cone, count: usize, entries: &[Entry], eps: &Rational) -> bool {
     let nonnegative = entries.iter().all(|e| !e.at(eps).is_negative());
     let row_lives = |row| entries.iter().any(|e| e.row == row && e.at(eps).is_positive());
     nonnegative && (cone == Cone::NonnegativeErrors || (0..count - 1).all(row_lives))
 }
 
-/// The entries that are not identically zero, of the step with the weight as an indeterminate.
+/// The entries that are not identically zero, for the step with the weight as an indeterminate.
 fn entries(cone: Cone, count: usize) -> Option<Vec<Entry>> {
     let (rows, rays) = cone.rows(&Stencil::executed(&Polynomial::variable(0)), count)?;
     let mut found = Vec::new();
@@ -147,9 +147,9 @@ fn affine(p: &Polynomial) -> Option<[Rational; 2]> {
     Some([p.coefficient(&Monomial::default()), slope.unwrap_or_else(Rational::zero)])
 }
 
-/// A start in the cone, on the segment \[0, 1\], whose coordinate `witness.row` is negative
-/// after one step: the ray itself where the cone is closed; for positive gaps a mixture of the
-/// ray with equal gaps, in the simplest proportion that will do.
+/// A start in the cone, on the segment \[0, 1\], whose coordinate `witness.row` is negative after one
+/// step: the ray itself where the cone is closed; for positive gaps the simplest mixture of the ray
+/// with equal gaps that suffices.
 fn leaving_start(
     cone: Cone,
     count: usize,

@@ -1,5 +1,5 @@
-//! The largest gain with which drones in flight keep their gaps, from both sides: a cone below,
-//! a negative sample of the response above.
+//! The largest gain with which drones in flight keep their gaps, from both sides: a cone below, a
+//! negative sample of the response above.
 
 use cordon_core::{Rational, Result};
 use num_bigint::BigInt;
@@ -9,31 +9,30 @@ use serde_json::Value;
 use crate::certificate::judged;
 use crate::separation::{Cone, Finding, Negative, Response, decide, negative, nonnegative};
 
-/// A gain with what was found there, and its certificate.
+/// A gain, the result at this gain, and its certificate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Side<T> {
     /// The gain lambda_P, in 1/s.
     pub gain: Rational,
     /// The certificate or the negative sample at this gain.
     pub found: T,
-    /// What the independent checker has accepted.
+    /// The certificate, accepted by the independent checker.
     pub certificate: Value,
 }
 
-/// What was found of gains that are multiples of 10^-digits.
+/// The result among gains that are multiples of 10^-digits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Bracket {
-    /// The largest one for which a cone was found.
+    /// The largest gain for which a cone was found.
     pub below: Option<Side<Cone>>,
-    /// The smallest one for which a sample is negative.
+    /// The smallest gain for which a sample is negative.
     pub above: Option<Side<Negative>>,
 }
 
-/// The bracket among gains up to `most`. `respond` has the response with a gain: its readouts are
-/// all that may not be negative below, its first readout and start are those of the sample above.
+/// The bracket among gains up to `most`. `respond` returns the response for a gain: below, all its
+/// readouts must be nonnegative; above, the negative sample is that of its first readout and start.
 ///
-/// Both sides are facts about the two gains; that one halves towards them takes for granted that
-/// larger gains are worse.
+/// Both sides are facts about the two gains; only the bisection assumes that larger gains are worse.
 ///
 /// # Errors
 /// `respond` fails.
@@ -44,7 +43,7 @@ pub fn bracket(
 ) -> Result<Bracket> {
     let unit = Rational::from_integer(BigInt::from(10).pow(digits)).recip();
     let last = (most / &unit).floor().to_integer();
-    // From one side what was found there, from the other nothing.
+    // One bisection per side.
     let mut below = None;
     let (mut lo, mut hi) = (BigInt::from(0), last.clone() + 1);
     while &hi - &lo > BigInt::from(1) {

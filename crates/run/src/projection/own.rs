@@ -10,11 +10,11 @@ use crate::scenario::{Own, Scenario};
 use cordon_core::Rational;
 use cordon_core::system::Map;
 
-/// The machine of one agent: what it knows and nothing else.
+/// The machine of one agent: only what the agent knows.
 struct Machine {
-    /// The places of its own variables in the state.
+    /// The indices of its own variables in the state.
     own: Range<usize>,
-    /// What it knows, by place: its own variables, those it hears, and what it remembers of them.
+    /// What it knows, by index: its own variables, those it hears, and what it remembers of them.
     known: BTreeMap<usize, Rational>,
     timesteps: u32,
 }
@@ -28,7 +28,7 @@ pub(super) struct Machines<'s> {
 }
 
 impl<'s> Machines<'s> {
-    /// The machines at the start, which run for so many ticks at most.
+    /// The machines at the start, for a run of at most this many ticks.
     pub fn new(scenario: &Scenario, protocol: &'s Own, ratio: TickRatio, ticks: u64) -> Self {
         let start = scenario.whole_start();
         let per_agent = protocol.system.variables.len();
@@ -48,7 +48,7 @@ impl<'s> Machines<'s> {
         Self { protocol, ratio, machines, updates: 0 }
     }
 
-    /// One tick of every machine, each by itself.
+    /// One tick of every machine, independently.
     pub fn tick(&mut self) {
         let fires = self.machines.first().is_some_and(|m| self.ratio.reached_by(m.timesteps));
         self.updates += u64::from(fires);
@@ -62,7 +62,7 @@ impl<'s> Machines<'s> {
         }
     }
 
-    /// Everyone sends the own variables to those who hear them.
+    /// Every agent sends its own variables to those who hear them.
     pub fn exchange(&mut self) {
         let sent = self.own();
         for machine in &mut self.machines {
@@ -75,7 +75,7 @@ impl<'s> Machines<'s> {
         }
     }
 
-    /// All machines' own variables, agent by agent.
+    /// The own variables of all machines, agent by agent.
     pub fn own(&self) -> Vec<Rational> {
         let own = |m: &Machine| -> Vec<Rational> {
             m.own.clone().filter_map(|j| m.known.get(&j).cloned()).collect()
@@ -85,7 +85,7 @@ impl<'s> Machines<'s> {
 }
 
 impl Machine {
-    /// One protocol step: the own variables move, memories age, what is heard stays.
+    /// One protocol step: the own variables are updated, memories age, what was heard stays.
     fn update(&mut self, map: &Map, now: usize) {
         let moves = |j: &usize| self.own.contains(j) || *j >= now;
         let next = |j: usize| {
@@ -101,14 +101,15 @@ impl Machine {
     }
 }
 
-/// The places that the rows of an agent's own variables read, and what its memory of others reads.
+/// The indices read by the rows of an agent's own variables, including those read by its memory of
+/// others.
 fn needed(maps: &[Map], own: Range<usize>, now: usize) -> BTreeSet<usize> {
     let mut needed: BTreeSet<usize> = own.clone().collect();
     let mut open: Vec<usize> = own.collect();
     while let Some(place) = open.pop() {
         let rows = maps.iter().filter_map(|map| map.rows.get(place));
         for column in rows.flat_map(|(_, row)| row.iter().map(|(j, _)| *j)) {
-            // The rules of others are theirs: of them only memories are followed.
+            // Rules of others are not followed, only memories of them.
             if needed.insert(column) && column >= now {
                 open.push(column);
             }

@@ -1,4 +1,4 @@
-//! TOML as Cordon reads it: numbers of any size exactly, errors with line, column and field.
+//! TOML documents: numbers of any size exactly, errors with line, column and field.
 
 use std::ops::Range;
 
@@ -11,13 +11,13 @@ use super::Places;
 use super::file::Source;
 use cordon_core::Result;
 
-/// Reads a document into the fields of `T`; says too where its fields stand.
+/// Deserialises a document into `T`; also returns the location of its fields.
 ///
-/// Integers beyond 64 bits and decimals beyond doubles come as strings of their digits: what
-/// reads numbers exactly takes both.
+/// Integers beyond 64 bits and decimals beyond doubles are passed on as strings of their digits: exact
+/// numbers are read from either.
 ///
 /// # Errors
-/// No TOML, a key that `T` does not know, a value of another kind: with file, line, column and
+/// Invalid TOML, a key that `T` does not have, or a value of another type: with file, line, column and
 /// field.
 pub fn document<T: DeserializeOwned>(source: &Source<'_>) -> Result<(T, Places)> {
     let read = |e: toml::de::Error| {
@@ -29,7 +29,7 @@ pub fn document<T: DeserializeOwned>(source: &Source<'_>) -> Result<(T, Places)>
     let read = T::deserialize(Deserializer::from(table)).map_err(|e| {
         let at = e.span().unwrap_or(0..0);
         let message = plain(e.message().trim_end());
-        // The innermost field around the place of the error.
+        // The innermost field that contains the error.
         let field =
             places.iter().rev().find(|(_, span)| span.start <= at.start && at.end <= span.end);
         match field {
@@ -43,7 +43,7 @@ pub fn document<T: DeserializeOwned>(source: &Source<'_>) -> Result<(T, Places)>
     Ok((read, Places::of(source.name, lines)))
 }
 
-/// Numbers that no machine type holds become strings of their digits.
+/// Replaces numbers that no machine type holds by strings of their digits.
 fn keep_digits(value: &mut DeValue<'_>) {
     match value {
         DeValue::Integer(n) if i64::from_str_radix(n.as_str(), n.radix()).is_err() => {
@@ -63,7 +63,7 @@ fn keep_digits(value: &mut DeValue<'_>) {
     }
 }
 
-/// The values' fields, by name from the root, each before those inside it.
+/// The spans of all fields, by name from the root, outer fields before inner ones.
 fn places(table: &DeTable<'_>) -> Vec<(String, Range<usize>)> {
     let mut found = Vec::new();
     within("", table, &mut found);
@@ -85,8 +85,8 @@ fn inside(
     found.push((name.to_owned(), span));
     match value {
         DeValue::Table(table) => within(&format!("{name}."), table, found),
-        // Tables in lists have fields of their own, and a number; numbers in lists go by the
-        // list's name.
+        // Tables in lists have fields of their own, and a number; numbers in lists use the name of the
+        // list.
         DeValue::Array(list) => {
             for (place, value) in list.iter().enumerate().filter(|(_, v)| v.get_ref().is_table()) {
                 found.push((format!("{name} {}", place + 1), value.span()));
@@ -97,8 +97,7 @@ fn inside(
     }
 }
 
-/// The TOML library's messages in the user's words: no type of Rust, lower case, given before
-/// expected.
+/// The TOML library's messages in user terms: no Rust types, lower case, given before expected.
 fn plain(message: &str) -> String {
     let message = message.lines().next().unwrap_or_default();
     let (given, expected) = match message.split_once(", expected ") {
@@ -115,8 +114,8 @@ fn plain(message: &str) -> String {
     }
 }
 
-/// The given value alone, without the kind before it, long ones cut; lists and tables, which the
-/// library does not repeat, by their kind.
+/// The given value without its type, shortened; lists and tables, which the library does not repeat, by
+/// their type.
 fn shown(given: &str) -> String {
     let kinds = ["string ", "integer ", "floating point ", "boolean ", "character "];
     match (given, kinds.iter().find_map(|kind| given.strip_prefix(kind))) {

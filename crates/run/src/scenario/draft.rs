@@ -11,7 +11,7 @@ use cordon_core::exact::Rational;
 use cordon_core::system::Variable;
 use cordon_core::{Error, Result};
 
-/// Where the drones start, as a user says it.
+/// Where the drones start, as specified by the user.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Start {
     /// The position of every drone, from drone 0 on.
@@ -20,15 +20,15 @@ pub enum Start {
     SpreadTo(Rational),
 }
 
-/// The fields of a scenario; what is not given is `None`. Later sources replace earlier ones
-/// ([`Draft::replaced_by`]): flags win over the file.
+/// The fields of a scenario; those not given are `None`. Later sources override earlier ones
+/// ([`Draft::replaced_by`]): flags override the file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Draft {
-    /// What the scenario is about, for people.
+    /// A title, for display.
     pub title: Option<String>,
     /// `coverage` (default), `consensus`, `formation`, or a protocol file (ends in `.toml`).
     pub protocol: Option<String>,
-    /// What the protocol file says, where it is inside another file.
+    /// The text of the protocol file, where it is contained in another file.
     pub protocol_text: Option<String>,
     /// Left end of the segment; the first drone's start by default.
     pub min: Option<Rational>,
@@ -40,35 +40,36 @@ pub struct Draft {
     pub start: Option<Start>,
     /// Weight eps of the neighbours, dimensionless.
     pub weight: Option<Rational>,
-    /// Ticks from update to update; 1 by default.
+    /// Ticks from one update to the next; 1 by default.
     pub period: Option<u32>,
     /// Phase of the first update.
     pub phase: Option<Phase>,
     /// Length of a tick in seconds.
     pub tau: Option<Rational>,
-    /// Protocol steps a trace shows; 20 by default.
+    /// Number of protocol steps in a trace; 20 by default.
     pub steps: Option<u64>,
-    /// Who hears whom, by the name of the graph.
+    /// The communication graph, by name.
     pub graph: Option<String>,
-    /// Who hears whom, by pairs of drones.
+    /// The communication graph, by its edges.
     pub edges: Option<Vec<(usize, usize)>>,
-    /// Wanted displacements of a formation, one an agent.
+    /// Desired displacements of a formation, one per agent.
     pub displacement: Option<Vec<Rational>>,
-    /// Values of an own protocol's parameters, by name.
+    /// Values of the parameters of a protocol file, by name.
     pub parameters: BTreeMap<String, Rational>,
-    /// Seed that draws what an own protocol leaves open in each step; the others leave nothing.
+    /// Seed for the choices that a protocol file leaves open in each step; built-in protocols leave
+    /// none.
     pub choices: Option<u64>,
     /// The drones' bodies, for co-simulation.
     pub flight: Flight,
-    /// Where the fields stand.
+    /// The location of each field.
     pub places: Places,
 }
 
-/// Protocol steps of a trace where no number is asked for.
+/// Default number of protocol steps in a trace.
 const DEFAULT_STEPS: u64 = 20;
 
 impl Draft {
-    /// This draft, with every field that `other` says taken from `other`.
+    /// This draft, with every field given in `other` replaced by that of `other`.
     #[must_use]
     pub fn replaced_by(mut self, other: Self) -> Self {
         for (field, given) in other.given() {
@@ -80,13 +81,13 @@ impl Draft {
             self.places.replaced(&format!("parameters.{name}"));
         }
         self.parameters.extend(other.parameters);
-        // A graph is said by its name or by its edges, not by both.
+        // A graph is given by its name or by its edges, not by both.
         if other.graph.is_some() || other.edges.is_some() {
             (self.graph, self.edges) = (None, None);
         }
         Self {
             title: other.title.or(self.title),
-            // A text belongs to the name beside it.
+            // A protocol's text belongs to the name beside it.
             protocol_text: match other.protocol {
                 Some(_) => other.protocol_text,
                 None => self.protocol_text,
@@ -111,7 +112,7 @@ impl Draft {
         }
     }
 
-    /// The fields by the names in messages, and whether they are given.
+    /// The fields by their names in messages, and whether they are given.
     fn given(&self) -> [(&'static str, bool); 16] {
         let flight = &self.flight;
         [
@@ -137,7 +138,7 @@ impl Draft {
     /// The checked scenario.
     ///
     /// # Errors
-    /// A missing, contradictory or senseless field, by name.
+    /// A missing, contradictory or meaningless field, by name.
     pub fn finish(self) -> Result<Scenario> {
         let places = self.places.clone();
         self.checked().map_err(|e| places.point(e))
@@ -338,7 +339,7 @@ impl Draft {
     fn refuse_fields_foreign_to(&self, protocol: &Protocol) -> Result<()> {
         let name = protocol.name();
         let coverage = matches!(protocol, Protocol::Coverage { .. });
-        // Drones that are spread out are spread from min, and the last one is at max.
+        // Spread-out drones start from min, with the last one at max.
         let spread = matches!(self.start, Some(Start::SpreadTo(_)));
         let parameters = self.parameters.keys().next().map(|name| format!("parameters.{name}"));
         if let Some(field) = parameters {
@@ -359,15 +360,15 @@ impl Draft {
     }
 }
 
-/// Whether a protocol's name names a file.
+/// Whether a protocol's name is that of a file.
 pub fn names_file(protocol: &str) -> bool {
     Path::new(protocol).extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"))
 }
 
-/// The flags that say where the drones start.
+/// The flags that set the start.
 const FLAGS: &str = "--start or --spread-to";
 
-/// The order of the numbers of a start: `x0,v0,x1,v1 and so on`.
+/// The order of the numbers in a start: `x0,v0,x1,v1 and so on`.
 fn in_order(variables: &[Variable]) -> String {
     let names = (0..2).flat_map(|i| variables.iter().map(move |v| format!("{}{i}", v.name)));
     format!("{} and so on", names.collect::<Vec<_>>().join(","))

@@ -16,8 +16,8 @@ use cordon_core::exact::{self, Rational};
 use cordon_core::files::{self, Limit};
 use cordon_core::{Error, Result};
 
-/// A scenario file as written. Numbers keep their place, so that they can be read exactly
-/// from the text (`0.2` is 1/5) and errors can point at them.
+/// A scenario file as written. Numbers keep their location, so that they can be read exactly from the
+/// text (`0.2` is 1/5) and errors can point at them.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Document {
@@ -49,8 +49,8 @@ struct Document {
 /// Reads a scenario file.
 ///
 /// # Errors
-/// The file cannot be read; it is no TOML, has an unknown key or a value of the wrong kind: the
-/// message has file, line and column.
+/// The file cannot be read, is not TOML, has an unknown key or a value of the wrong type: the message
+/// has file, line and column.
 pub fn read(path: &Path) -> Result<Draft> {
     parse(&path.display().to_string(), &files::read_text(path, Limit::SCENARIO)?)
 }
@@ -68,7 +68,7 @@ fn no_scenario(name: &str) -> Error {
 /// Reads a scenario from text; `name` stands for the file in messages.
 ///
 /// # Errors
-/// As [`read`], for the text.
+/// As [`read`], except for reading.
 pub fn parse(name: &str, text: &str) -> Result<Draft> {
     let source = Source { name, text };
     let (doc, places): (Document, Places) =
@@ -85,7 +85,7 @@ pub fn parse(name: &str, text: &str) -> Result<Draft> {
     }
     let spread_to = number("spread_to", doc.spread_to)?.map(Start::SpreadTo);
     let start = numbers("start", doc.start)?.map(Start::Listed).or(spread_to);
-    // Two names of one field.
+    // Two names of the same field.
     if let (Some(_), Some(weight)) = (&doc.eps, &doc.weight) {
         return Err(source.error(&weight.span(), "eps and weight: expected one of them"));
     }
@@ -120,7 +120,7 @@ pub fn parse(name: &str, text: &str) -> Result<Draft> {
     })
 }
 
-/// A protocol file is looked for beside the scenario file.
+/// A protocol file's path is relative to the scenario file.
 fn beside(scenario: &str, protocol: String) -> String {
     match Path::new(scenario).parent() {
         Some(folder) if names_file(&protocol) => folder.join(&protocol).display().to_string(),
@@ -140,23 +140,23 @@ pub struct Source<'t> {
 pub type GraphFields = (Option<String>, Option<Vec<(usize, usize)>>);
 
 impl Source<'_> {
-    /// An error that points at a place of the text, by line and column.
+    /// An error located in the text, by line and column.
     pub fn error(&self, at: &Range<usize>, message: &str) -> Error {
         let (line, column) = self.place(at.start);
         Error::input(format!("{}:{line}:{column}: {message}", self.name))
     }
 
-    /// Line and column of a byte of the text, from 1 on.
+    /// Line and column of a byte of the text, counted from 1.
     pub(super) fn place(&self, at: usize) -> (usize, usize) {
         let before = self.text.get(..at).unwrap_or_default();
         let line = before.matches('\n').count() + 1;
         (line, before.rsplit('\n').next().unwrap_or_default().chars().count() + 1)
     }
 
-    /// A number of the file, read exactly: an integer, a decimal or a fraction in quotes.
+    /// A number in the file, read exactly: an integer, a decimal or a fraction in quotes.
     ///
     /// # Errors
-    /// It is no number.
+    /// It is not a number.
     pub fn number(&self, field: &str, value: &Spanned<Value>) -> Result<Rational> {
         let written = match value.get_ref() {
             Value::String(s) => s.clone(),

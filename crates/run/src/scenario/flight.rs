@@ -1,12 +1,11 @@
-//! What a scenario says about the drones' bodies: the table `[flight]`, the lists `[[fault]]`
-//! and `[[unit]]`.
+//! The co-simulation part of a scenario: the table `[flight]`, the lists `[[fault]]` and `[[unit]]`.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use cordon_core::exact::Rational;
 
-/// The fields of the co-simulation; what is not given is `None`.
+/// The fields of the co-simulation; those not given are `None`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Flight {
     /// Gain lambda_P of the position, in 1/s.
@@ -19,36 +18,36 @@ pub struct Flight {
     pub master: Option<String>,
     /// `exact` or `double`: how positions travel between drones.
     pub exchange: Option<String>,
-    /// `hold` or `skip`: what a drone does where a message was lost.
+    /// `hold` or `skip`: what a drone does when a message was lost.
     pub on_loss: Option<String>,
     /// Length of the run in seconds.
     pub duration: Option<Rational>,
-    /// Where the drones are at the start, in m; their desired positions by default.
+    /// Positions of the drones at the start, in m; the desired positions by default.
     pub start: Option<Vec<Rational>>,
-    /// Wanted height in m.
+    /// Desired height in m.
     pub z_d: Option<Rational>,
-    /// `at-once`, `ascending`, `descending` or a list: in which order drones update.
+    /// `at-once`, `ascending`, `descending` or a list: the order in which drones update.
     pub order: Option<String>,
-    /// Seed of everything random.
+    /// Seed of all random choices.
     pub seed: Option<u64>,
     /// Lost and late messages, and drones that drop out.
     pub faults: Vec<Fault>,
-    /// FMUs in the place of units.
+    /// FMUs that replace units.
     pub units: Vec<Substitute>,
 }
 
-/// An FMU in the place of a unit.
+/// An FMU that replaces a unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Substitute {
     /// The drone whose unit it replaces, from 0.
     pub drone: usize,
-    /// Which of its units.
+    /// Which of the drone's units it replaces.
     pub unit: UnitName,
-    /// Path of the FMU, as seen from where the program runs.
+    /// Path of the FMU, relative to the working directory.
     pub fmu: PathBuf,
-    /// The FMU's names of variables that it calls otherwise than the unit does.
+    /// The FMU's names for variables, where they differ from the unit's.
     pub names: BTreeMap<String, String>,
-    /// Parameters of the FMU, by its own names for them.
+    /// Parameters of the FMU, by the FMU's names.
     pub parameters: BTreeMap<String, Parameter>,
     /// Parameters with several values: a run for each.
     pub ranges: BTreeMap<String, Vec<Rational>>,
@@ -57,7 +56,7 @@ pub struct Substitute {
 /// The value of a parameter of an FMU.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Parameter {
-    /// A number, whole where the FMU's is.
+    /// A number, an integer where the FMU's parameter is one.
     Number(Rational),
     /// True or false.
     Boolean(bool),
@@ -68,19 +67,19 @@ pub enum Parameter {
 /// The units of a drone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum UnitName {
-    /// Its share of the protocol.
+    /// The drone's part of the protocol.
     Coordination,
     /// The cascaded controller: position and attitude to rotors.
     Control,
-    /// The quadcopter, linear around hover.
+    /// The quadcopter, linearised around hover.
     Plant,
 }
 
 impl UnitName {
-    /// All of them, in the order in which a drone has them.
+    /// All of them, in their order within a drone.
     pub const ALL: [Self; 3] = [Self::Coordination, Self::Control, Self::Plant];
 
-    /// Its place in [`UnitName::ALL`].
+    /// Its index in [`UnitName::ALL`].
     pub fn place(self) -> usize {
         match self {
             Self::Coordination => 0,
@@ -102,15 +101,15 @@ impl UnitName {
 /// Something that goes wrong during a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// What happens, and to whom.
+    /// The kind of fault, and whom it affects.
     pub kind: FaultKind,
-    /// From when on, in seconds; from the start by default.
+    /// When it begins, in seconds; at the start by default.
     pub from: Option<Rational>,
-    /// Until when, in seconds; to the end by default.
+    /// When it ends, in seconds; at the end by default.
     pub until: Option<Rational>,
 }
 
-/// What can happen to messages and drones.
+/// The kinds of faults.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FaultKind {
     /// Messages get lost, each with a probability.
@@ -120,11 +119,11 @@ pub enum FaultKind {
         /// Between 0 and 1.
         probability: Rational,
     },
-    /// Messages arrive so many steps late.
+    /// Messages arrive late by a number of steps.
     Delay {
         /// From which drone to which; every link by default.
         link: Option<(usize, usize)>,
-        /// How much later, in ticks.
+        /// The delay, in ticks.
         ticks: u32,
     },
     /// A drone neither sends nor hears nor updates.
@@ -135,7 +134,7 @@ pub enum FaultKind {
 }
 
 impl Flight {
-    /// This flight, with every field that `other` says taken from `other`.
+    /// This flight, with every field given in `other` replaced by that of `other`.
     #[must_use]
     pub fn replaced_by(self, other: Self) -> Self {
         Self {

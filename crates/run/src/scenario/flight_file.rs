@@ -127,7 +127,7 @@ fn fault(source: &Source<'_>, t: &FaultTable) -> Result<Fault> {
     Ok(Fault { kind, from: number("from", &t.from)?, until: number("until", &t.until)? })
 }
 
-/// FMUs are looked for beside the scenario file.
+/// An FMU's path is relative to the scenario file.
 fn substitute(source: &Source<'_>, t: UnitTable) -> Result<Substitute> {
     let name = t.unit.get_ref().as_str();
     let unit = UnitName::ALL.into_iter().find(|u| u.name() == name).ok_or_else(|| {
@@ -163,7 +163,7 @@ fn substitute(source: &Source<'_>, t: UnitTable) -> Result<Substitute> {
     Ok(Substitute { drone: t.drone, unit, fmu, names: t.names, parameters, ranges })
 }
 
-/// A number inside a list or a table, as it was written.
+/// A number inside a list or a table, read exactly.
 fn inner(source: &Source<'_>, field: &str, at: &Range<usize>, value: &Value) -> Result<Rational> {
     let text = match value {
         Value::String(text) => text.clone(),
@@ -186,8 +186,8 @@ fn listed(
     list.iter().map(|value| inner(source, field, &at, value)).collect()
 }
 
-/// The values of a range, `{ from = 0, to = 1, runs = 5 }`: so many, at equal distances, the ends
-/// included.
+/// The values of a range, `{ from = 0, to = 1, runs = 5 }`: that many, equidistant, including both
+/// ends.
 fn spread(
     source: &Source<'_>,
     field: &str,
@@ -212,5 +212,5 @@ fn spread(
     Ok((0..runs).map(|k| &from + &step * Rational::from_integer(k.into())).collect())
 }
 
-/// Most values of a parameter: a run takes milliseconds at least.
+/// Most values of a parameter: each run takes milliseconds at least.
 const MOST_VALUES: i64 = 10_000;

@@ -14,7 +14,7 @@ pub enum Topology {
     Path(usize),
     /// The path closed to a ring.
     Ring(usize),
-    /// Everyone hears everyone: so many drones.
+    /// Everyone hears everyone; the number of drones.
     Complete(usize),
     /// The listed pairs, smaller drone first.
     Edges(usize, BTreeSet<(usize, usize)>),

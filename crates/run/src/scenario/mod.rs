@@ -1,7 +1,7 @@
 //! What to run: a protocol, its parameters and a start.
 //!
-//! A scenario comes from a TOML file ([`mod@file`]), from flags, or from a file with flags in its
-//! place ([`Draft`]); [`Draft::finish`] is the one place that checks it.
+//! A scenario comes from a TOML file ([`mod@file`]), from flags, or from a file with some fields
+//! overridden by flags ([`Draft`]); all checks are in [`Draft::finish`].
 
 pub mod document;
 mod draft;
@@ -28,10 +28,10 @@ use cordon_core::Rational;
 /// section 7.1).
 pub const MIN_DRONES: usize = 3;
 
-/// Most drones of a scenario: exact positions of more would not fit a terminal or a memory.
+/// Most drones of a scenario: exact positions of more would fit neither a terminal nor memory.
 pub const MAX_DRONES: usize = 1_000_000;
 
-/// How the drones move.
+/// The rule by which the drones move.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Protocol {
     /// Equation 10 on the segment \[min, max\].
@@ -50,7 +50,7 @@ pub enum Protocol {
     Formation {
         /// Which agents each one hears.
         graph: Topology,
-        /// Sum of the wanted displacements of each drone from its neighbours.
+        /// Sum of the desired displacements of each drone from its neighbours.
         displacement: Vec<Rational>,
     },
     /// A protocol that a file defines.
@@ -58,7 +58,7 @@ pub enum Protocol {
 }
 
 impl Protocol {
-    /// The protocol's name in scenario files and output; of an own one the file.
+    /// The protocol's name in scenario files and output; for a protocol file its path.
     pub fn name(&self) -> &str {
         match self {
             Self::Coverage { .. } => "coverage",
@@ -69,26 +69,26 @@ impl Protocol {
     }
 }
 
-/// A checked scenario: N >= 3 drones, or as many as the protocol file allows; consistent lengths,
-/// `min < max`.
+/// A checked scenario: N >= 3 drones (or what the protocol file allows), consistent lengths, `min <
+/// max`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Scenario {
-    /// What the scenario is about, for people.
+    /// A title, for display.
     pub title: String,
-    /// How the drones move.
+    /// The rule by which the drones move.
     pub protocol: Protocol,
-    /// Position of every drone at the start; of an own protocol every state variable, drone by drone.
+    /// Position of every drone at the start; for a protocol file every state variable, drone by drone.
     pub start: Vec<Rational>,
-    /// Weight eps of the neighbours in the update, dimensionless; 0 of an own protocol without a
+    /// Weight eps of the neighbours in the update, dimensionless; 0 for a protocol file without a
     /// parameter `eps`.
     pub weight: Rational,
-    /// Ticks from update to update, at least 1.
+    /// Ticks from one update to the next, at least 1.
     pub period: u32,
-    /// Which tick the first update falls in.
+    /// The tick of the first update.
     pub phase: Phase,
     /// Length of a tick in seconds, where the scenario has a clock.
     pub tau: Option<Rational>,
-    /// How many protocol steps a trace shows unless told otherwise.
+    /// Default number of protocol steps in a trace.
     pub steps: u64,
 }
 
@@ -98,7 +98,7 @@ impl Scenario {
         self.own().map_or(self.start.len(), |own| own.system.agents)
     }
 
-    /// The own protocol, where it is one.
+    /// The protocol file's system, if it is one.
     pub fn own(&self) -> Option<&Own> {
         match &self.protocol {
             Protocol::Own(own) => Some(own),
@@ -106,7 +106,7 @@ impl Scenario {
         }
     }
 
-    /// The names of what a row of a trace has: `x0, x1, ...`, or the own protocol's state variables.
+    /// The columns of a trace: `x0, x1, ...`, or the state variables of the protocol file.
     pub fn columns(&self) -> Vec<String> {
         match self.own() {
             Some(own) => own.columns().to_vec(),
@@ -114,7 +114,7 @@ impl Scenario {
         }
     }
 
-    /// The start with what an own protocol remembers of the past: it was at rest.
+    /// The start, including a protocol file's memory of the past: at rest.
     pub fn whole_start(&self) -> Vec<Rational> {
         let at_rest = self.own().and_then(|own| own.system.at_rest(&self.start));
         at_rest.unwrap_or_else(|| self.start.clone())
@@ -148,7 +148,7 @@ impl Scenario {
         }
     }
 
-    /// What the theorems speak about, where the protocol is coverage.
+    /// The setting of the theorems, where the protocol is coverage.
     pub fn setting(&self) -> Option<Setting<Rational>> {
         self.params().map(|p| Setting::from(&p))
     }
@@ -161,12 +161,12 @@ impl Scenario {
         }
     }
 
-    /// How many protocol steps have happened after `tick` ticks.
+    /// The number of protocol steps within `tick` ticks.
     pub fn steps_until(&self, tick: u64) -> u64 {
         tick.checked_sub(self.first_update()).map_or(0, |late| late / u64::from(self.period) + 1)
     }
 
-    /// The tick counter after `tick` ticks: how many the last update is ago.
+    /// The tick counter after `tick` ticks: the number of ticks since the last update.
     pub fn timesteps_at(&self, tick: u64) -> u32 {
         match tick.checked_sub(self.first_update()) {
             // Below the period.
@@ -179,7 +179,7 @@ impl Scenario {
         }
     }
 
-    /// The time after so many ticks, in seconds, where the scenario has a clock.
+    /// The time after this many ticks, in seconds, where the scenario has a clock.
     pub fn time(&self, tick: u64) -> Option<Rational> {
         Some(self.tau.as_ref()? * Rational::from_integer(tick.into()))
     }

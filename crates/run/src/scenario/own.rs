@@ -1,4 +1,4 @@
-//! An own protocol in a run: every parameter has a value, and every choice is made.
+//! The run of a protocol file: every parameter has a value, and every choice is made.
 
 use std::collections::BTreeMap;
 
@@ -10,32 +10,32 @@ use cordon_core::system::{Map, Parameter, ParameterKind, Schedule, System};
 use cordon_core::text::cut;
 use cordon_core::{Error, Rational, Result};
 
-/// A system that runs: its parameters have values, and what it leaves open in a step is chosen.
+/// A system to run: its parameters have values, and the choices left open in a step are made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Own {
-    /// The protocol file, as it was named.
+    /// The path of the protocol file, as given.
     pub file: String,
     /// The file's text.
     pub text: String,
-    /// The system, its ranges as the file has them.
+    /// The system, with the ranges of the file.
     pub system: System,
-    /// Draws the choices of every step. Without a seed all links work, all agents act, no message
-    /// is late, and of several modes that may act in any step the first one does.
+    /// Seed for the choices of every step. Without a seed all links work, all agents act, no message is
+    /// late, and of several modes that may act in a step the first one does.
     pub seed: Option<u64>,
-    /// The parameters' values; `None` where one is chosen anew in each step.
+    /// The parameters' values; `None` where one is chosen in each step.
     values: Vec<Option<Rational>>,
 }
 
-/// A parameter that varies is drawn from the multiples of this part of its range.
+/// A varying parameter is drawn from the multiples of this fraction of its range.
 const PARTS: u64 = 8;
 
 impl Own {
-    /// The system with these values for some of its parameters, by name; `file` is its file's name
-    /// and text.
+    /// The system with these values for some of its parameters, by name; `file` is the name and text of
+    /// its file.
     ///
     /// # Errors
-    /// A name that no parameter has, a value for a choice that is neither end of it, and a parameter
-    /// that is left without a value.
+    /// A name that no parameter has, a value for a choice that is neither of its ends, or a parameter
+    /// without a value.
     pub fn new(
         (file, text): (String, String),
         system: System,
@@ -72,19 +72,19 @@ impl Own {
         Ok(Self { file, text, system, seed, values })
     }
 
-    /// The names of the agents' variables, agent by agent: what a row of a trace has.
+    /// The names of the agents' variables, agent by agent: the columns of a trace.
     pub fn columns(&self) -> &[String] {
         let now = self.system.state.len() - self.system.past.len();
         self.system.state.get(..now).unwrap_or_default()
     }
 
-    /// The value of a parameter that is the same in every step.
+    /// The value of a parameter that is constant in the run.
     pub fn value(&self, name: &str) -> Option<&Rational> {
         let place = self.system.parameters.iter().position(|p| p.name == name)?;
         self.values.get(place)?.as_ref()
     }
 
-    /// Gives the parameter at a place of [`constants`](Self::constants) another value.
+    /// Sets the parameter with this index among the [`constants`](Self::constants).
     pub fn set(&mut self, place: usize, value: Rational) {
         let places = self.system.parameters.iter().zip(&mut self.values);
         let mut constants =
@@ -94,7 +94,7 @@ impl Own {
         }
     }
 
-    /// The parameters that are numbers throughout, not choices.
+    /// The parameters that are declared constant.
     pub fn constants(&self) -> impl Iterator<Item = (&Parameter, &Rational)> {
         self.values().filter(|(p, _)| p.kind != ParameterKind::Choice)
     }
@@ -105,7 +105,7 @@ impl Own {
         pairs.filter_map(|(p, value)| Some((p, value.as_ref()?)))
     }
 
-    /// Whether a step leaves something to choose.
+    /// Whether a step leaves a choice open.
     pub fn has_choices(&self) -> bool {
         self.values.contains(&None) || self.has_free_modes()
     }
@@ -115,7 +115,7 @@ impl Own {
         self.system.schedule == Schedule::Any && self.system.modes.len() > 1
     }
 
-    /// How the run chooses what the protocol leaves open, in words; `None` where it leaves nothing.
+    /// How open choices are made, in words; `None` where there are none.
     pub fn choices(&self) -> Option<String> {
         if !self.has_choices() {
             return None;
@@ -139,12 +139,12 @@ impl Own {
         Some(said.join(", "))
     }
 
-    /// Which mode acts in step `k >= 1`, and the values of the parameters in it.
+    /// The mode that acts in step `k >= 1`, and the values of the parameters in it.
     fn choice(&self, k: u64) -> (usize, Vec<Rational>) {
         let before = k.saturating_sub(1);
         let draws = self.system.parameters.len() as u64 + 1;
         let mut random = self.seed.map(|seed| SplitMix::after(seed, before.wrapping_mul(draws)));
-        // A draw for the mode and for each parameter, used or not.
+        // One draw for the mode and one for each parameter, used or not.
         let mode = random.as_mut().map_or(0, |r| r.below(self.system.modes.len() as u64));
         let mode = match &self.system.schedule {
             // Below the number of modes.
@@ -177,13 +177,13 @@ impl Own {
         (mode, values)
     }
 
-    /// The map that step `k >= 1` is, on the whole state.
+    /// The map of step `k >= 1`, on the whole state.
     pub fn map(&self, k: u64) -> Map {
         let (mode, values) = self.choice(k);
         self.system.modes.get(mode).map_or(Map { rows: Vec::new() }, |m| m.at(&values))
     }
 
-    /// The maps that act in turn, for ever; `None` where choices are drawn.
+    /// The maps that act in turn; `None` where choices are drawn.
     pub fn cycle(&self) -> Option<Vec<Map>> {
         if self.seed.is_some() && self.has_choices() {
             return None;
@@ -272,7 +272,7 @@ mod tests {
         (head + &body, agents)
     }
 
-    /// Both engines on random systems, against the system on fractions.
+    /// Both engines on random systems, compared with the system on fractions.
     #[test]
     fn engines_run_random_systems_as_the_system_does() {
         let mut random = SplitMix::new(2026);
@@ -308,7 +308,7 @@ mod tests {
         assert!(lines < 100, "{lines}");
     }
 
-    /// Coverage and consensus written as files are the built-in protocols, row by row.
+    /// Coverage and consensus written as files equal the built-in protocols, row by row.
     #[test]
     fn files_of_the_built_in_protocols_run_as_they_do() {
         let mut compared = 0;
@@ -335,8 +335,8 @@ mod tests {
         assert_eq!(compared, 2 * 4 * 4 * 26);
     }
 
-    /// Delays, drawn choices and modes in turn: stepped on integers as the maps say on fractions; and
-    /// local machines are the global run.
+    /// Delays, drawn choices and modes in turn: stepping on integers equals applying the maps on
+    /// fractions, and local machines equal the global run.
     #[test]
     fn choices_are_drawn_alike_by_all_engines_and_local_machines_follow() {
         let files = [
@@ -377,7 +377,7 @@ mod tests {
             }
         }
         assert_eq!(compared, 6 * 3 * 13);
-        // Another seed, another run.
+        // Another seed gives another run.
         let own = |seed| {
             let file = read_system("coverage-late", 4);
             Own::new(("f".into(), String::new()), file, &BTreeMap::new(), seed).unwrap()
@@ -423,7 +423,7 @@ mod tests {
         let platoon = format!("protocol = '{}'\nstart = [0, 1]", file("platoon"));
         let said = parse("test", &platoon).unwrap().finish().unwrap_err().to_string();
         assert!(said.contains("2 numbers given: expected 2 for each of 5 agents"), "{said}");
-        // Beside the scenario file, wherever the program runs.
+        // Relative to the scenario file, wherever the program runs.
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios");
         let beside = folder.join("own-flight.toml");
         let text = "protocol = \"own/coverage.toml\"\nstart = [0, 1, 3]\nweight = 0.1";

@@ -1,11 +1,10 @@
-//! Where the fields of a scenario stand, for errors that are found after reading.
+//! The location of a scenario's fields in its file, for errors found after reading.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use cordon_core::Error;
 
-/// The place of each field that was given in a file, by the field's name, and the fields that
-/// flags have replaced.
+/// The location of each field given in a file, by the field's name, and the fields overridden by flags.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Places {
     file: Option<String>,
@@ -14,9 +13,9 @@ pub struct Places {
 }
 
 impl Places {
-    /// The places in a file, which messages call by this name.
+    /// The locations in a file; messages use this name for it.
     pub fn of(file: &str, fields: impl IntoIterator<Item = (String, (usize, usize))>) -> Self {
-        // Of a field that occurs again, in a list of tables, the first place stays.
+        // Of a field that occurs again, in a list of tables, the first location is kept.
         let mut found = BTreeMap::new();
         for (name, place) in fields {
             let own = name.rsplit('.').next().unwrap_or_default().to_owned();
@@ -26,14 +25,14 @@ impl Places {
         Self { file: Some(file.to_owned()), fields: found, replaced: BTreeSet::new() }
     }
 
-    /// Forgets a field of the file: a flag stands in its place.
+    /// Forgets the location of a field: a flag has overridden it.
     pub fn replaced(&mut self, field: &str) {
         self.fields.remove(field);
         self.replaced.insert(field.to_owned());
     }
 
-    /// The error with its place. The message of bad input begins with the field that it is
-    /// about, then a colon.
+    /// Adds the location to an error. A message about bad input begins with the name of the field, then
+    /// a colon.
     #[must_use]
     pub fn point(&self, error: Error) -> Error {
         let (Some(file), Error::Input(message)) = (&self.file, &error) else { return error };
@@ -41,7 +40,7 @@ impl Places {
             return error;
         }
         let field = message.split([':', ' ']).next().unwrap_or_default();
-        // One of several tables comes with its number: `fault 2`.
+        // One of several tables is named with its number: `fault 2`.
         let numbered = message.split(':').next().unwrap_or_default();
         let place = self.fields.get(numbered).or_else(|| self.fields.get(field));
         match place.or_else(|| self.fields.get(&format!("flight.{field}"))) {

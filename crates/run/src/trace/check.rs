@@ -1,4 +1,4 @@
-//! Theorems checked along a run.
+//! Checking theorems along a run.
 
 use std::collections::BTreeMap;
 
@@ -11,17 +11,17 @@ use crate::scenario::Scenario;
 use cordon_core::exact::Rational;
 use cordon_core::{Error, Outcome, Result, progress, violation};
 
-/// What a check found of one theorem along one run.
+/// The result of checking one theorem along one run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Checked {
     /// The theorem that was checked.
     pub theorem: Theorem,
     /// The form whose hypothesis and conclusion were used.
     pub form: Form,
-    /// Whether the weight is in the theorem's range. A violation outside it refutes no
+    /// Whether the weight is in the theorem's range. A violation outside it does not refute the
     /// theorem; it shows why the range is needed.
     pub weight_in_range: bool,
-    /// Verdict at every step from 0 to the last.
+    /// The verdict at every step from 0 to the last.
     pub verdicts: BTreeMap<u64, Verdict>,
     /// The first violation: its step, and what fails there in words with exact values.
     pub first_violation: Option<(u64, String)>,
@@ -33,7 +33,7 @@ impl Checked {
         if self.first_violation.is_some() { Outcome::Refuted } else { Outcome::Holds }
     }
 
-    /// How many steps meet the theorem's premise.
+    /// The number of steps that meet the theorem's premise.
     pub fn met(&self) -> usize {
         self.verdicts.values().filter(|v| **v == Verdict::Holds).count()
     }
@@ -90,8 +90,8 @@ pub fn check(
     Ok(checks)
 }
 
-/// Consecutive placements, as integers over one denominator: conclusions are homogeneous, so
-/// that they may be asked of the numerators.
+/// Consecutive placements, as integers over one denominator: conclusions are homogeneous, so that they
+/// can be evaluated on the numerators.
 struct Window {
     run: step::Run,
     /// D Q^t, with t the last step.
@@ -109,7 +109,7 @@ impl Window {
         Self { run, denominator, den, numerators: Vec::new(), next: 0 }
     }
 
-    /// Goes on to the placements `step ..= step + span`.
+    /// Advances to the placements `step ..= step + span`.
     fn extend_to(&mut self, step: u64, span: usize) {
         while self.next <= step + span as u64 {
             if self.numerators.len() > span {
@@ -144,10 +144,10 @@ impl Window {
     }
 }
 
-/// A theorem that is about other starts, and the starts that it is about, in words.
+/// A theorem about other starts, and a description of these.
 pub type Foreign = (Theorem, &'static str);
 
-/// Of the theorems, those that are about the scenario's start; and what the others are about.
+/// The theorems that apply to the scenario's start; and the others, with their starts.
 ///
 /// # Errors
 /// The protocol is not coverage.

@@ -1,4 +1,4 @@
-//! Claims of a protocol file checked along a run.
+//! Checking claims of a protocol file along a run.
 
 use std::collections::BTreeMap;
 
@@ -8,16 +8,16 @@ use cordon_core::exact::fraction;
 use cordon_core::system::{Claim, Parameter};
 use cordon_core::{Error, Outcome, Rational, Result};
 
-/// What a check found of one claim, as it is written in the file, along one run.
+/// The result of checking one claim, as written in the file, along one run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CheckedClaim {
-    /// Its place in the file, from 1.
+    /// Its number in the file, from 1.
     pub number: usize,
-    /// The claim as the file has it.
+    /// The claim as written in the file.
     pub text: String,
-    /// Whether it holds, at every step that it is about.
+    /// Whether it holds, for every step that it applies to.
     pub holds: BTreeMap<u64, bool>,
-    /// The first violation: its step, and what fails there in words.
+    /// The first violation: its step, and what fails there, in words.
     pub first_violation: Option<(u64, String)>,
 }
 
@@ -31,7 +31,8 @@ impl CheckedClaim {
 /// Checks claims at every protocol step from 0 to `last`: those with the given numbers, or all.
 ///
 /// # Errors
-/// No protocol file runs, a number that no claim has, or a start that the file does not assume.
+/// No protocol file is run, no claim has that number, or the start does not meet the file's
+/// assumptions.
 pub fn check_claims(
     scenario: &Scenario,
     numbers: Option<&[usize]>,
@@ -94,7 +95,7 @@ fn violation(claim: &Claim, step: u64, state: &[Rational]) -> String {
     format!("at step {step}{agent}: {by}")
 }
 
-/// The parameters whose values in a run are outside the file's ranges: about those the file claims
+/// The parameters whose values in a run are outside the file's ranges, for which the file claims
 /// nothing.
 pub fn out_of_range(own: &Own) -> impl Iterator<Item = &Parameter> {
     own.values().filter(|(p, value)| !(&p.low..=&p.high).contains(value)).map(|(p, _)| p)

@@ -1,13 +1,13 @@
-//! Between which decimals the positions of a trace lie, before its rows are computed.
+//! The widths of the decimals of a trace, before its rows are computed.
 
 use super::Selection;
 use crate::scenario::{Protocol, Scenario};
 use crate::swarm::Swarm;
 use cordon_core::{Rational, exact};
 
-/// The characters of the longest decimal of every drone in the selected rows, with so many
-/// places; from a run in doubles with a rigorous bound. `None` where those leave it open, and
-/// for other protocols than coverage.
+/// The length of the longest decimal of every drone in the selected rows, with this many places; from a
+/// run in doubles with a rigorous bound. `None` where the bound is not tight enough, and for protocols
+/// other than coverage.
 pub fn decimal_widths(
     scenario: &Scenario,
     selection: Selection,
@@ -27,13 +27,13 @@ pub fn decimal_widths(
     let width = |x: f64| {
         let x = Rational::from_float(x)?;
         let [below, above] = [&x - &error, &x + &error].map(|x| exact::decimal_string(&x, digits));
-        // A decimal grows with its distance from 0, on either side.
+        // A decimal gets longer with its distance from 0, on either side.
         let one_side = below.starts_with('-') == above.starts_with('-');
         (one_side && below.len() == above.len()).then_some(below.len())
     };
     let last = scenario.count() - 1;
     let drone = |(i, (least, largest))| match scenario.start.get(i) {
-        // The end drones stay where they are.
+        // The end drones do not move.
         Some(x) if i == 0 || i == last => Some(exact::decimal_string(x, digits).len()),
         _ => Some(width(least)?.max(width(largest)?)),
     };
@@ -82,7 +82,7 @@ mod tests {
     #[test]
     fn a_position_between_two_lengths_is_left_open() {
         let selection = Selection { unit: super::super::Counted::Steps, from: 0, to: 3, every: 1 };
-        // Rounded to even, and from a double that is not the decimal.
+        // A tie rounded to even, and a decimal that is not a double.
         for start in ["0, 9.99995, 20", "0, -0.00005, 20"] {
             let s = scenario(start, "weight = 0");
             assert_eq!(decimal_widths(&s, selection, 4), None, "{start}");

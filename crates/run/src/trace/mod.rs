@@ -1,4 +1,4 @@
-//! Traces: the rows of a run that a user wants to see, and what the theorems say of them.
+//! Traces: the rows of a run selected by the user, and the verdicts of theorems on them.
 
 mod check;
 mod claims;

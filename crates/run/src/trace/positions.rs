@@ -1,4 +1,4 @@
-//! The exact positions of one row, in the form in which the engine has them.
+//! The exact positions of one row, in the engine's representation.
 
 use num_bigint::BigInt;
 
@@ -7,7 +7,7 @@ use crate::fast::{engine, power};
 use cordon_core::Rational;
 use cordon_core::exact;
 
-/// The positions of all drones, exact. Decimals cost no reduction to lowest terms.
+/// The exact positions of all drones. Decimals are computed without reduction to lowest terms.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Positions(Kind);
 
@@ -15,7 +15,7 @@ pub struct Positions(Kind);
 enum Kind {
     /// Fractions in lowest terms.
     Lowest(Vec<Rational>),
-    /// Over a common denominator, of which `power` is the part `den^k`.
+    /// Over a common denominator with the factor `power`, which is `den^k`.
     Common { answer: Answer, power: BigInt },
 }
 

@@ -1,4 +1,4 @@
-//! Which states of a run become rows, and the rows one by one.
+//! The selection of rows from a run, and their computation one by one.
 
 use num_traits::ToPrimitive;
 
@@ -12,9 +12,9 @@ use cordon_core::{Error, Rational, Result, progress};
 /// What the rows count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Counted {
-    /// Protocol steps: one row an update.
+    /// Protocol steps: one row per update.
     Steps,
-    /// Ticks: one row a co-simulation step.
+    /// Ticks: one row per co-simulation step.
     Ticks,
 }
 
@@ -27,8 +27,8 @@ impl Counted {
         }
     }
 
-    /// Tick and protocol step of the row that is called `at` in this unit. A step's row is the
-    /// state right after its update; one whose tick is beyond 64 bits counts as the start.
+    /// Tick and protocol step of the row numbered `at` in this unit. A step's row is the state right
+    /// after its update; one whose tick exceeds 64 bits counts as the start.
     pub fn tick_and_step(self, scenario: &Scenario, at: u64) -> (u64, u64) {
         match self {
             Self::Ticks => (at, scenario.steps_until(at)),
@@ -46,7 +46,7 @@ pub struct Selection {
     pub from: u64,
     /// The last row, at least the first.
     pub to: u64,
-    /// Distance from row to row, at least 1.
+    /// Distance between rows, at least 1.
     pub every: u64,
 }
 
@@ -76,7 +76,7 @@ impl Selection {
 /// The state of the swarm after a step or tick.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// Ticks made since the start.
+    /// Ticks since the start.
     pub tick: u64,
     /// Protocol steps so far.
     pub step: u64,
@@ -86,13 +86,13 @@ pub struct Row {
     pub positions: Positions,
 }
 
-/// Most rows of one trace: more is a slip of the keyboard, and would fill the memory.
+/// Most rows of one trace: more is a typing error, and would fill the memory.
 const MAX_ROWS: u64 = 10_000_000;
 
-/// The selected rows of the scenario's run, each computed when it is asked for.
+/// The selected rows of the scenario's run, each computed on demand.
 ///
 /// # Errors
-/// A selection without rows, with too many, or with a run too long to step through.
+/// A selection without rows, with too many, or of a run too long to step through.
 pub fn select(scenario: &Scenario, selection: Selection) -> Result<Rows<'_>> {
     let Selection { unit, from, to, every } = selection;
     if every == 0 {
@@ -140,15 +140,15 @@ impl Iterator for Rows<'_> {
     }
 }
 
-/// What computes the positions; steps are asked for in increasing order.
+/// The engine that computes the positions; steps are requested in increasing order.
 enum Source {
-    /// A line, step by step.
+    /// A line of drones, step by step.
     Step(Box<step::Run>),
-    /// A line, without the steps between.
+    /// A line of drones, without the steps in between.
     Jump(Box<Line>),
-    /// An own protocol, step by step.
+    /// A protocol file, step by step.
     March(Box<course::Run>),
-    /// An own protocol, without the steps between.
+    /// A protocol file, without the steps in between.
     Leap(Box<Course>),
     /// Another protocol or graph: the spec on fractions.
     Spec { k: u64, drones: Vec<Rational> },
@@ -182,7 +182,7 @@ impl Source {
             Self::Step(run) => run.advance_to(wanted).answer().into(),
             Self::Jump(line) => jump::after(line, wanted, engine::multiplier()).into(),
             Self::March(run) => shown(scenario, run.advance_to(wanted).answer()),
-            // Only what can be jumped over is.
+            // Only courses that can be jumped over get here.
             Self::Leap(course) => leap::after(course, wanted, engine::multiplier())
                 .map_or_else(|| Vec::new().into(), |answer| shown(scenario, answer)),
             Self::Spec { k, drones } => {
@@ -196,7 +196,7 @@ impl Source {
     }
 }
 
-/// The positions of an answer, without what an own protocol remembers of the past.
+/// The positions of an answer, without a protocol file's memory of the past.
 pub fn shown(scenario: &Scenario, mut answer: Answer) -> Positions {
     answer.numerators.truncate(scenario.start.len());
     answer.into()
@@ -222,7 +222,7 @@ fn refuse_endless(scenario: &Scenario, unit: Counted, to: u64) -> Result<()> {
     )))
 }
 
-/// As [`refuse_endless`], for an own protocol.
+/// As [`refuse_endless`], for a protocol file.
 fn refuse_endless_course(scenario: &Scenario, unit: Counted, to: u64, last: u64) -> Result<()> {
     let Some(own) = scenario.own() else { return Ok(()) };
     let start = scenario.whole_start();
@@ -244,7 +244,7 @@ mod tests {
         parse("test", &text).unwrap().finish().unwrap()
     }
 
-    /// Against the spec, tick by tick.
+    /// Compared with the spec, tick by tick.
     #[test]
     fn rows_are_the_run() {
         let mut compared = 0;

@@ -7,7 +7,7 @@ use super::Jobs;
 use cordon_core::text::shell_word;
 use cordon_core::{Error, Result};
 
-/// What `kubectl` is given.
+/// The file for `kubectl`.
 pub(super) const SWEEP: &str = "sweep.yaml";
 
 const CONTAINERFILE: &str = "\
@@ -18,7 +18,7 @@ WORKDIR /sweep
 ";
 
 /// # Errors
-/// A limit that Slurm alone knows.
+/// A limit that only Slurm has.
 pub(super) fn files(jobs: &Jobs<'_>) -> Result<Vec<(&'static str, String)>> {
     for (flag, value) in jobs.limits {
         if let Some(value) = value {
@@ -83,7 +83,7 @@ spec:
     )
 }
 
-/// Says what is left to be done by hand.
+/// Prints the remaining manual steps.
 pub(super) fn next(jobs: &Jobs<'_>, folder: &Path, out: &mut dyn Write) -> Result<()> {
     let folder = folder.display().to_string();
     let folder = shell_word(&folder);

@@ -1,9 +1,9 @@
-//! `cordon sweep --submit`: a sweep as jobs of a scheduler that is there already.
+//! `cordon sweep --submit`: a sweep as jobs of an existing scheduler.
 //!
-//! The folder of a submitted sweep holds this program, a script that runs one part, another that
-//! merges all, what the scheduler is told, and a result file for each part. The result files
-//! are begun before anything is submitted: each names the configuration, the program's version
-//! and its part, and no sweep of another configuration or version goes on in it.
+//! The folder of a submitted sweep has this program, a script that runs one part, a script that merges
+//! all parts, the scheduler's files, and a result file for each part. The result files are created
+//! before anything is submitted: each names the configuration, the program's version and its part, and
+//! cannot be continued by a sweep of another configuration or version.
 
 mod kubernetes;
 mod scripts;
@@ -57,11 +57,11 @@ impl Options {
     }
 }
 
-/// What every scheduler has to be told.
+/// The data that every scheduler needs.
 struct Jobs<'a> {
     /// `cordon-` and the hash of the configuration.
     name: String,
-    /// The arguments of `cordon sweep` that ask for the whole sweep.
+    /// The arguments of `cordon sweep` for the whole sweep.
     arguments: String,
     /// Number of shards.
     parts: usize,
@@ -71,7 +71,7 @@ struct Jobs<'a> {
     limits: [(&'static str, Option<&'a str>); 2],
 }
 
-/// Most parts: as many jobs as an array of Slurm can be configured to have.
+/// Most parts: the largest job array that Slurm can be configured for.
 const MAX_PARTS: usize = 4_000_000;
 
 pub(super) fn run(given: &super::options::Options, out: &mut dyn Write) -> Result<Outcome> {
@@ -137,17 +137,17 @@ fn named(config: &Config) -> Result<String> {
     Ok(format!("cordon-{}", hash.hex()))
 }
 
-/// The program travels with the sweep: a later build on the submitting machine changes nothing.
+/// The program is copied with the sweep: a later build on the submitting machine has no effect.
 fn copy_of_this_program(to: &Path) -> Result<()> {
     let fail = |e| Error::file("write", to, e);
     let this = std::env::current_exe().map_err(fail)?;
     let fresh = to.with_extension("new");
     fs::copy(this, &fresh).map_err(fail)?;
-    // A copy that is running can be replaced, but not written.
+    // A running program can be replaced, but not written to.
     fs::rename(&fresh, to).map_err(fail)
 }
 
-/// Runs the script that submits, and says what it says.
+/// Runs the script that submits, and passes on its output.
 fn submitted(folder: &Path, out: &mut dyn Write) -> Result<()> {
     let script = folder.join(slurm::SUBMIT);
     let ran =

@@ -1,28 +1,28 @@
-//! What runs on every scheduler: one part of a sweep, and the merge of all.
+//! The scripts common to all schedulers: one part of a sweep, and the merge of all.
 
 use std::path::{Path, PathBuf};
 
 use super::Jobs;
 
-/// The sweep as a whole, once it is merged.
+/// The result file of the whole sweep, after merging.
 pub(super) const MERGED: &str = "sweep.jsonl";
 
-/// The result file of a part, its number from 1.
+/// The result file of a part, counted from 1.
 pub(super) fn result(folder: &Path, part: usize) -> PathBuf {
     folder.join(format!("part-{part}.jsonl"))
 }
 
-/// What the part's jobs have said.
+/// The log of a part's jobs.
 pub(super) fn log(folder: &Path, part: usize) -> PathBuf {
     folder.join(format!("part-{part}.log"))
 }
 
-/// The exit code of the part's last job that was not killed.
+/// The exit code of a part's last job that was not killed.
 pub(super) fn code(folder: &Path, part: usize) -> PathBuf {
     folder.join(format!("part-{part}.code"))
 }
 
-/// The scripts, to be run where the result files are.
+/// The scripts, to be run in the folder of the result files.
 pub(super) fn files(jobs: &Jobs<'_>) -> Vec<(&'static str, String)> {
     let Jobs { arguments, parts, threads, .. } = jobs;
     let part = format!(

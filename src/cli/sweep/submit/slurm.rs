@@ -3,7 +3,7 @@
 use super::Jobs;
 use cordon_core::text::shell_word;
 
-/// The script that submits the sweep, or some of its parts.
+/// The script that submits the sweep, or some parts of it.
 pub(super) const SUBMIT: &str = "submit.sh";
 
 pub(super) fn files(jobs: &Jobs<'_>) -> Vec<(&'static str, String)> {

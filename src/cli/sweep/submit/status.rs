@@ -1,4 +1,4 @@
-//! `cordon sweep status`: what of a submitted sweep is done, and how to run the rest.
+//! `cordon sweep status`: the state of a submitted sweep, and how to run what is left.
 
 use std::fs;
 use std::io::Write;
@@ -17,26 +17,26 @@ pub(in super::super) struct Args {
     folder: PathBuf,
 }
 
-/// Most parts that are named one by one.
+/// Most parts that are listed individually.
 const SHOWN: usize = 40;
 
-/// Most characters of a log's line.
+/// Longest line of a log that is shown, in characters.
 const LINE: usize = 200;
 
-/// What became of a part.
+/// The state of a part.
 enum State {
     Finished,
     /// A process has its result file open.
     Running,
-    /// Its job has ended with this exit code and these last words.
+    /// Its job has ended with this exit code and this last line of its log.
     Failed(String, String),
     /// Its result file cannot be read.
     Damaged(String),
-    /// Neither finished nor running: not begun, waiting for its turn, or killed.
+    /// Neither finished nor running: not started, queued, or killed.
     Open,
 }
 
-/// Exit code 0 where every part is finished, 3 where not.
+/// Exit code 0 if all parts are finished, 3 otherwise.
 pub(in super::super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let folder = &args.folder;
     let header = any_header(folder)?;
@@ -114,7 +114,7 @@ fn any_header(folder: &Path) -> Result<Header> {
     })
 }
 
-/// What became of a part, and how many of its work items are done.
+/// The state of a part, and how many of its work items are done.
 fn state(folder: &Path, number: usize, part: &Part) -> Result<(State, usize)> {
     let path = scripts::result(folder, number);
     if !path.exists() {
@@ -129,7 +129,7 @@ fn state(folder: &Path, number: usize, part: &Part) -> Result<(State, usize)> {
     } else if is_being_written(&path)? {
         State::Running
     } else {
-        // A job that is killed leaves no code.
+        // A job that was killed leaves no exit code.
         let code = fs::read_to_string(scripts::code(folder, number)).unwrap_or_default();
         match code.trim() {
             "" => State::Open,
@@ -139,7 +139,7 @@ fn state(folder: &Path, number: usize, part: &Part) -> Result<(State, usize)> {
     Ok((state, done))
 }
 
-/// The last line of a log, cut where it is long.
+/// The last line of a log, shortened.
 fn last_line(log: &Path) -> String {
     let said = fs::read(log).unwrap_or_default();
     let said = String::from_utf8_lossy(&said);
@@ -147,7 +147,7 @@ fn last_line(log: &Path) -> String {
     last.map_or_else(|| "nothing is in its log".to_owned(), |line| text::cut(line, LINE))
 }
 
-/// Numbers in ascending order as Slurm lists them: `3,7-9`.
+/// Numbers in ascending order in Slurm's notation: `3,7-9`.
 fn listed(numbers: &[usize]) -> String {
     let runs = numbers.chunk_by(|a, b| a + 1 == *b);
     let texts = runs.map(|run| match run {

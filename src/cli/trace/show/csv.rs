@@ -8,9 +8,9 @@ use cordon_core::exact;
 use cordon_run::scenario::Scenario;
 use cordon_run::trace::Row;
 
-/// Writes a head line, then one line a row: step, tick, time in seconds where there is a
-/// clock, and for every drone its position as a fraction (`x1`), a decimal (`x1_decimal`) or
-/// both; of a protocol file every state variable. No field ever needs quotes.
+/// Writes a header, then one line per row: step, tick, time in seconds where there is a clock, and for
+/// every drone its position as a fraction (`x1`), a decimal (`x1_decimal`) or both; for a protocol file
+/// every state variable. No field ever needs quotes.
 ///
 /// # Errors
 /// `out` cannot be written.

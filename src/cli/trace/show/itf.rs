@@ -11,9 +11,9 @@ use cordon_run::trace::Row;
 
 use super::page::Page;
 
-/// Writes one ITF object: one state a row, with the variables `step`, `tick`, `timesteps` and
-/// `x`, a list of records `{num, den}` (ITF has integers, and no fractions of its own); of a
-/// protocol file a list for every state variable of an agent.
+/// Writes one ITF object: one state per row, with the variables `step`, `tick`, `timesteps` and `x`, a
+/// list of records `{num, den}` (ITF has integers but no fractions); for a protocol file a list for
+/// every state variable of an agent.
 ///
 /// # Errors
 /// `out` cannot be written.

@@ -82,7 +82,7 @@ fn verified(v: &Verification) -> Value {
         "agrees": v.disagreement.is_none(),
         "compared": v.compared,
         "log2_chance_of_missing": v.log2_chance,
-        // Beyond the whole numbers that every reader of JSON holds.
+        // Larger than the integers that every JSON reader supports.
         "primes": v.primes.iter().map(u64::to_string).collect::<Vec<_>>(),
         "seed": v.seed.to_string(),
     })

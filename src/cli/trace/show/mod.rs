@@ -1,4 +1,4 @@
-//! The forms a trace is shown in: one file a form.
+//! The output formats of a trace: one file each.
 
 mod csv;
 mod itf;
@@ -28,10 +28,9 @@ pub enum Numbers {
 }
 
 impl Numbers {
-    /// The positions of a row; with `Both` the fraction follows where it is not the decimal
-    /// itself.
+    /// The positions of a row; with `Both` the fraction follows unless it equals the decimal.
     fn write(self, positions: &Positions, digits: usize) -> Vec<String> {
-        // Long fractions take long to write: only those that are shown.
+        // Long fractions are slow to format: only those that are shown.
         let fractions = || positions.lowest();
         match self {
             Self::Decimal => positions.decimals(digits),

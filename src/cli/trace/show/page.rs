@@ -1,12 +1,12 @@
-//! A JSON object written field by field, so that a long list need not fit the memory and its
-//! first entries are seen at once. The text is that of `serde_json`'s pretty form.
+//! A JSON object written field by field, so that a long list need not fit in memory and its first
+//! entries appear immediately. The text is that of `serde_json`'s pretty form.
 
 use std::io::Write;
 
 use cordon_core::Result;
 use serde_json::Value;
 
-/// A JSON object under way.
+/// A JSON object being written.
 pub struct Page<'o> {
     out: &'o mut dyn Write,
     fields: usize,
@@ -33,7 +33,7 @@ impl<'o> Page<'o> {
         Ok(())
     }
 
-    /// A field with a list of at least one entry.
+    /// Writes a field with a list of at least one entry.
     pub fn list(&mut self, name: &str, entries: impl Iterator<Item = Value>) -> Result<()> {
         self.name(name)?;
         for (i, entry) in entries.enumerate() {

@@ -7,12 +7,12 @@ use textplots::{Chart, Plot, Shape};
 use cordon_core::Result;
 use cordon_run::trace::{Counted, Row};
 
-/// Size of the plot in braille dots: two a column, four a line.
+/// Size of the plot in braille dots: two per column, four per line.
 const WIDTH: u32 = 140;
 const HEIGHT: u32 = 60;
 
-/// Writes one line of dots a drone, positions upward, rows rightward; of fewer than two rows
-/// there is nothing to draw.
+/// Writes one curve of dots per drone, with positions upward and rows to the right; with fewer than two
+/// rows nothing is drawn.
 ///
 /// # Errors
 /// `out` cannot be written.

@@ -15,8 +15,8 @@ use cordon_core::{Evidence, Result};
 use cordon_run::scenario::{Protocol, Scenario};
 use cordon_run::trace::{Checked, CheckedClaim, Row, Selection, decimal_widths, out_of_range};
 
-/// Writes what was run, the rows, and below them what was checked. Rows of a known selection are
-/// written one by one where their widths are known without them.
+/// Writes the scenario, the rows, and below them the checks. The rows of a selection are written one by
+/// one if their widths are known in advance.
 ///
 /// # Errors
 /// `out` cannot be written.
@@ -47,7 +47,7 @@ pub fn table(
     if timed {
         head.push("t [s]".to_owned());
     }
-    // Known beforehand, of decimals only.
+    // Known in advance for decimals only.
     let widths =
         selection.filter(|_| numbers == Numbers::Decimal && checks.is_empty() && claims.is_empty());
     let widths = widths.and_then(|rows| {

@@ -1,4 +1,4 @@
-//! For programs: schema `cordon-verify/1`.
+//! The matrix as JSON, schema `cordon-verify/1`.
 
 use serde_json::{Value, json as value};
 

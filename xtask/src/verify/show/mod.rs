@@ -1,4 +1,4 @@
-//! The matrix for people and for programs.
+//! The output formats of the matrix.
 
 mod json;
 mod text;

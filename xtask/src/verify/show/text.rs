@@ -1,4 +1,4 @@
-//! For people: a table, then what stands behind each column.
+//! The matrix as text: a table, then the details of each column.
 
 use std::io::Write;
 
@@ -26,7 +26,7 @@ pub fn text(matrix: &Matrix, out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
-/// A cell of the table: the result and how it came about.
+/// A cell of the table: the result, and whether it was run or recorded.
 fn short(cell: &Cell) -> String {
     match (cell, cell.result()) {
         (Cell::Run { seconds, .. }, Some("holds")) => format!("holds {seconds:.2} s"),
@@ -39,7 +39,7 @@ fn short(cell: &Cell) -> String {
     }
 }
 
-/// What stands behind a column: theorems with the same answer share a line.
+/// Writes the details of a column: theorems with the same result share a line.
 fn behind(column: &Column, matrix: &Matrix, out: &mut dyn Write) -> Result<()> {
     writeln!(out, "{} ({}):", column.name, column.kind.text())?;
     let mut lines: Vec<(String, Vec<&str>)> = Vec::new();

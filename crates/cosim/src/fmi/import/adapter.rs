@@ -1,4 +1,4 @@
-//! Which variable of an FMU stands for which variable of a unit.
+//! Mapping between the variables of a unit and those of an FMU.
 
 use std::collections::BTreeMap;
 
@@ -14,19 +14,19 @@ use num_traits::ToPrimitive;
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(not(feature = "fmi-import"), allow(dead_code, reason = "read where FMUs run"))]
 pub(super) struct Counterpart {
-    /// Place in the unit's table.
+    /// Index in the unit's table.
     pub place: usize,
-    /// Input, output or parameter of our unit.
+    /// Causality in our unit: input, output or parameter.
     pub causality: Causality,
     /// The type of its values in our unit.
     pub kind: Kind,
     /// The variable of the FMU that stands for it.
     pub theirs: FmuVariable,
-    /// From its unit to the unit's, where they differ.
+    /// From the FMU's physical unit to the unit's, where they differ.
     pub conversion: Option<Conversion>,
 }
 
-/// The counterparts, and what the user should know about them.
+/// The counterparts, and notes for the user.
 pub(super) struct Map {
     pub counterparts: Vec<Counterpart>,
     /// Parameters of the FMU that the scenario sets.
@@ -35,12 +35,12 @@ pub(super) struct Map {
     pub notes: Vec<String>,
 }
 
-/// Finds the counterparts by name: every input and output has to have one; parameters that the
-/// FMU does not have are its own affair.
+/// Finds the counterparts by name: every input and output must have one; parameters that the FMU lacks
+/// are ignored.
 ///
 /// # Errors
-/// An input or output without a counterpart, or a counterpart of another causality, type or
-/// physical unit; two variables with one counterpart; a name that the unit does not know.
+/// An input or output without a counterpart, or with one of another causality, type or physical unit;
+/// two variables with the same counterpart; a name that the unit does not have.
 pub(super) fn map(unit: &dyn Unit, fmu: &Fmu, substitute: &Substitute) -> Result<Map> {
     let names = &substitute.names;
     let fail = |variable: &str, what: String| {
@@ -106,7 +106,7 @@ pub(super) fn map(unit: &dyn Unit, fmu: &Fmu, substitute: &Substitute) -> Result
     Ok(map)
 }
 
-/// The value of a parameter, as the FMU's type has it.
+/// The value of a parameter in the FMU's type.
 fn parameter(theirs: &FmuVariable, value: &Parameter) -> Result<Value, String> {
     if theirs.causality != Causality::Parameter.name() {
         return Err(format!("it is {}: expected a parameter", theirs.causality));
@@ -128,19 +128,19 @@ fn parameter(theirs: &FmuVariable, value: &Parameter) -> Result<Value, String> {
     }
 }
 
-/// Types of variables that stand for whole numbers.
+/// Types of integer variables.
 const WHOLES: &[&str] =
     &["Integer", "Int64", "Int32", "Int16", "Int8", "UInt64", "UInt32", "UInt16", "UInt8"];
 
-/// Compares a variable with its counterpart: the conversion of its values, or what keeps one
-/// from standing for the other.
+/// Compares a variable with its counterpart: the conversion of its values, or the reason why they do
+/// not match.
 fn compared(ours: &Variable, theirs: &FmuVariable) -> Result<Option<Conversion>, String> {
     let name = &theirs.name;
     if theirs.causality != ours.causality.name() {
         let (found, expected) = (&theirs.causality, ours.causality.name());
         return Err(format!("`{name}` is {found}: expected {expected}"));
     }
-    // A whole number can be told as a real one, once; what is received is of the type that is read.
+    // An integer parameter may be sent as a real number; a received value must have the declared type.
     let told = ours.causality == Causality::Parameter;
     let kinds: &[&str] = match ours.kind() {
         Kind::Real => REALS,

@@ -1,8 +1,8 @@
-//! Folders for unpacked archives, none of which is left for ever.
+//! Temporary folders for unpacked archives, which are always removed in the end.
 //!
-//! A process that ends in order removes its folders, and the child process of one that was killed
-//! those it used. Where a process has died with its FMUs inside it, the next one that unpacks an FMU
-//! removes them: every folder has a file that its process keeps locked while it lives.
+//! A process that exits normally removes its folders; the child process of one that was killed removes
+//! those it used. Where a process died with its FMUs in-process, the next process that unpacks an FMU
+//! removes its folders: each contains a file that its process locks while it lives.
 
 use std::fs::{self, File};
 use std::path::Path;
@@ -11,20 +11,20 @@ use tempfile::{Builder, TempDir};
 
 use cordon_core::{Error, Result};
 
-/// How names of the folders begin.
+/// Prefix of the folders' names.
 const PREFIX: &str = "cordon-fmu-";
 
-/// The file in a folder that is locked as long as its process lives.
+/// The file in a folder that is locked while its process lives.
 const LOCK: &str = ".in-use";
 
-/// A folder for an unpacked archive; it goes when this does.
+/// A folder for an unpacked archive, removed when dropped.
 pub struct Folder {
     _lock: File,
     folder: TempDir,
 }
 
 impl Folder {
-    /// A new folder. Those of processes that have died are removed.
+    /// Creates a folder. Those of processes that have died are removed.
     ///
     /// # Errors
     /// It cannot be created.
@@ -32,7 +32,7 @@ impl Folder {
         let root = std::env::temp_dir();
         let failed = |e| Error::file("create", &root, e);
         let folder = Builder::new().prefix(PREFIX).tempdir_in(&root).map_err(failed)?;
-        // Under this name it is locked from its beginning on.
+        // Lock it under another name first: the final name must never exist unlocked.
         let (unlocked, locked) = (folder.path().join("new"), folder.path().join(LOCK));
         let lock = File::create(&unlocked).map_err(failed)?;
         lock.lock().map_err(failed)?;
@@ -47,7 +47,7 @@ impl Folder {
     }
 }
 
-/// Removes the folders of this user's processes that have died. What cannot be removed stays.
+/// Removes folders left by dead processes of this user. Failures to remove are ignored.
 fn remove_left_over(root: &Path, own: &Path) {
     let entries = fs::read_dir(root).into_iter().flatten().flatten();
     for path in entries.map(|entry| entry.path()) {
@@ -61,7 +61,7 @@ fn remove_left_over(root: &Path, own: &Path) {
     }
 }
 
-/// Whether a path is a folder, no link, of the owner of another.
+/// Whether a path is a folder (not a link) with the same owner as another.
 #[cfg(unix)]
 fn same_owner(path: &Path, own: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;

@@ -1,4 +1,4 @@
-//! A unit with an FMU behind it.
+//! A unit backed by an FMU.
 
 use cordon_fmi::fmu::{self, Datum, Type, Version};
 use cordon_fmi::instance::Instance;
@@ -20,28 +20,28 @@ use crate::unit::{
 };
 use cordon_core::{Result, exact};
 
-/// Most notes that are kept of a run.
+/// Most notes kept of a run.
 const MOST_NOTES: usize = 20;
 
-/// A unit with an FMU behind it.
+/// A unit backed by an FMU.
 pub(super) struct Foreign {
     name: String,
     fmu: String,
     variables: Vec<Variable>,
-    /// Values of all variables: as set, as last read.
+    /// Values of all variables: as last set or read.
     values: Vec<Value>,
     counterparts: Vec<Counterpart>,
-    /// Parameters of the FMU alone.
+    /// Parameters that only the FMU has.
     parameters: Vec<(FmuVariable, Value)>,
     notes: Vec<String>,
     session: Session,
-    /// The unpacked archive, which goes after the session that uses it.
+    /// The unpacked archive; dropped after the session that uses it.
     _folder: Folder,
 }
 
-/// Where the instance is.
+/// Where the instance runs.
 enum Session {
-    /// With the answer to the step that was begun.
+    /// With the reply to the step that was begun.
     Here(Box<Instance>, Option<Reply>),
     #[cfg(unix)]
     There(Remote),
@@ -95,7 +95,7 @@ impl Session {
 }
 
 impl Foreign {
-    /// Loads an FMU in the place of `unit`, whose parameters it gets as far as it has them.
+    /// Loads an FMU to replace `unit`; the unit's parameters are passed on as far as the FMU has them.
     pub(super) fn new(isolation: &Isolation, fmu: Fmu, unit: &dyn Unit, map: Map) -> Result<Self> {
         let mut values = Vec::with_capacity(unit.variables().len());
         for place in 0..unit.variables().len() {
@@ -142,7 +142,7 @@ impl Foreign {
         }
     }
 
-    /// The values of all variables that the FMU is told, with its names for them.
+    /// The values of all variables that are sent to the FMU, under its names.
     fn told(&self, causality: Causality) -> Vec<(fmu::Variable, Datum)> {
         let counterparts = self.counterparts.iter().filter(|c| c.causality == causality);
         let pair =
@@ -150,7 +150,7 @@ impl Foreign {
         counterparts.filter_map(pair).collect()
     }
 
-    /// Takes an answer: the notes, and the outputs' values.
+    /// Processes a reply: stores its notes and the outputs' values.
     fn take(&mut self, answer: Reply, when: impl Fn() -> String) -> Result<(), UnitError> {
         self.note(answer.notes);
         let read = answer.result.map_err(|what| self.failed(&format!("{}{what}", when())))?;
@@ -171,7 +171,7 @@ impl Foreign {
         UnitError::new(&self.name, None, format!("`{}`: {what}", self.fmu))
     }
 
-    /// A value that the FMU gave, as the unit's type has it.
+    /// A value received from the FMU, in the unit's type.
     fn inward(&self, counterpart: &Counterpart, datum: Datum) -> Result<Value, UnitError> {
         match (counterpart.kind, datum) {
             (Kind::Exact, Datum::Text(text)) => match exact::parse("value", &text) {
@@ -191,7 +191,7 @@ impl Foreign {
     }
 }
 
-/// A value as the FMU takes it: in its unit, exact numbers as text.
+/// A value as the FMU expects it: in its physical unit, exact numbers as text.
 fn outward(counterpart: &Counterpart, value: &Value) -> Datum {
     match (value, counterpart.conversion) {
         (Value::Real(x), Some(conversion)) => Datum::Real(conversion.outward(*x)),
@@ -201,7 +201,7 @@ fn outward(counterpart: &Counterpart, value: &Value) -> Datum {
     }
 }
 
-/// A value as FMUs take it: exact numbers as text.
+/// A value in FMI types: exact numbers as text.
 fn plain(value: &Value) -> Datum {
     match value {
         Value::Real(x) => Datum::Real(*x),
@@ -212,7 +212,7 @@ fn plain(value: &Value) -> Datum {
     }
 }
 
-/// A variable as the calls need it. (Types that there are no calls for were refused before.)
+/// A variable as the calls need it. (Types without calls were refused before.)
 fn foreign(variable: &FmuVariable) -> Option<fmu::Variable> {
     let kind = match variable.kind.as_str() {
         "Real" | "Float64" => Type::Float64,

@@ -1,4 +1,4 @@
-//! Where the files of a multi-model are.
+//! Locating the files of a multi-model.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -15,8 +15,8 @@ use crate::interchange::read::{Clock, System};
 use cordon_core::files::{self, Limit};
 use cordon_core::{Error, Result};
 
-/// Whether a JSON file is a multi-model, or the configuration of a co-simulation that names one, by
-/// its fields: runs are JSON too.
+/// Whether a JSON file is a multi-model, or a co-simulation configuration that names one, judged by its
+/// fields: recorded runs are JSON too.
 ///
 /// # Errors
 /// The file cannot be read.
@@ -34,10 +34,10 @@ pub fn holds_multi_model(path: &Path) -> Result<bool> {
     }))
 }
 
-/// The system of a multi-model, or of the configuration of a co-simulation that names one.
+/// The system of a multi-model, or of a co-simulation configuration that names one.
 ///
 /// # Errors
-/// A file cannot be read or is something else; a name is of another form.
+/// A file cannot be read or is something else; a name is malformed.
 pub(in super::super) fn system(path: &Path) -> Result<System> {
     let named = |e: Error| match e {
         Error::Input(what) => Error::input(format!("{}: {what}", path.display())),
@@ -46,7 +46,7 @@ pub(in super::super) fn system(path: &Path) -> Result<System> {
     let Found { model, folder } = model(path)?;
     let ports = Ports::of(&model).map_err(named)?;
     let mut fmus = BTreeMap::new();
-    // Projects list FMUs that they had instances of once, and have no more.
+    // Projects may list FMUs that no longer have instances.
     let used = |key: &str| ports.settings.keys().any(|instance| instance.fmu == key);
     for (key, name) in model.fmus.iter().filter(|(key, _)| used(key)) {
         fmus.insert(key.clone(), Fmu::open(&file(&folder, name).map_err(named)?)?);
@@ -62,9 +62,9 @@ struct Found {
     folder: PathBuf,
 }
 
-/// Reads a multi-model, or the configuration of a co-simulation (`coe.json`), which names one in
-/// `multimodel_path`, from the project's folder on; where that is not there, or not said, it is the one
-/// in the folder above that of the configuration.
+/// Reads a multi-model, or a co-simulation configuration (`coe.json`) that names one in
+/// `multimodel_path`, relative to the project's folder; where that file is missing or not named, the
+/// multi-model is the one in the folder above the configuration.
 ///
 /// # Errors
 /// A file cannot be read or is something else.
@@ -86,7 +86,7 @@ fn model(path: &Path) -> Result<Found> {
     let fail =
         |e| Error::input(format!("{}: expected an INTO-CPS multi-model: {e}", path.display()));
     let mut model: Json = serde_json::from_str(&text).map_err(fail)?;
-    // What the configuration says goes before what the multi-model says.
+    // The configuration overrides the multi-model.
     if let (Some(model), Some(configuration)) = (model.as_object_mut(), json.as_object_mut()) {
         configuration
             .retain(|key, value| !CONFIGURATION.contains(&key.as_str()) && !value.is_null());
@@ -96,11 +96,10 @@ fn model(path: &Path) -> Result<Found> {
     Ok(Found { model, folder: path.parent().unwrap_or(Path::new(".")).to_owned() })
 }
 
-/// By these a configuration says which multi-model it belongs to: its path, or its checksum.
+/// The fields by which a configuration identifies its multi-model: its path, or its checksum.
 const CONFIGURATION: [&str; 2] = ["multimodel_path", "multimodel_crc"];
 
-/// The only multi-model in the folder above the one of a configuration, as the INTO-CPS application
-/// lays them out.
+/// The only multi-model in the folder above a configuration: the layout of the INTO-CPS application.
 fn above(folder: &Path) -> Option<PathBuf> {
     let absolute = std::path::absolute(folder).ok()?;
     let entries = std::fs::read_dir(absolute.parent()?).ok()?;
@@ -110,14 +109,13 @@ fn above(folder: &Path) -> Option<PathBuf> {
     found.pop().filter(|_| found.is_empty())
 }
 
-/// A file that is named by a path or a `file:` URI: beside the multi-model, in a folder above it
-/// or that folder's `FMUs`, as projects of the INTO-CPS application have them, or from where the
-/// program runs.
+/// Finds a file named by a path or a `file:` URI: beside the multi-model, in a folder above it or that
+/// folder's `FMUs` (the layout of the INTO-CPS application), or relative to the working directory.
 ///
 /// # Errors
-/// There is none, or the URI is none of a file here.
+/// There is no such file, or the URI does not denote a file on this machine.
 fn file(folder: &Path, name: &str) -> Result<PathBuf> {
-    // Projects that were made on another system have its separators.
+    // Projects made on Windows have backslashes.
     let path = uri::path(&name.replace('\\', "/"))?;
     let absolute = std::path::absolute(folder).unwrap_or(folder.to_owned());
     let above =
@@ -126,7 +124,7 @@ fn file(folder: &Path, name: &str) -> Result<PathBuf> {
     let elsewhere = above.chain([path.clone()]).find(|candidate| candidate.is_file());
     match elsewhere {
         Some(found) if !beside.is_file() => Ok(found),
-        // Where there is none anywhere, that beside it is the one that is missing.
+        // If none exists, report the one beside the multi-model as missing.
         _ => Ok(beside),
     }
 }

@@ -1,7 +1,7 @@
-//! INTO-CPS multi-models: the JSON that Maestro and the INTO-CPS application read.
+//! INTO-CPS multi-models: the JSON files of Maestro and the INTO-CPS application.
 //!
-//! One file holds the multi-model (`fmus`, `connections`, `parameters`) and the configuration of
-//! the co-simulation (`algorithm`, `endTime`, `logVariables`), as Maestro takes it.
+//! One file holds both the multi-model (`fmus`, `connections`, `parameters`) and the configuration of
+//! the co-simulation (`algorithm`, `endTime`, `logVariables`), as Maestro accepts it.
 
 mod locate;
 mod write;
@@ -22,10 +22,10 @@ pub struct MultiModel {
     pub fmus: BTreeMap<String, String>,
     /// From an output `{key}.instance.variable` to inputs.
     pub connections: BTreeMap<String, Vec<String>>,
-    /// Values of parameters, and of inputs that nothing is connected to.
+    /// Values of parameters, and of unconnected inputs.
     #[serde(default)]
     pub parameters: BTreeMap<String, serde_json::Value>,
-    /// How the master steps.
+    /// The master's algorithm.
     #[serde(default)]
     pub algorithm: Option<MasterAlgorithm>,
     /// Start time in seconds.
@@ -34,15 +34,15 @@ pub struct MultiModel {
     /// End time in seconds.
     #[serde(default)]
     pub end_time: Option<f64>,
-    /// Variables to keep, by instance `{key}.instance`.
+    /// Variables to log, by instance `{key}.instance`.
     #[serde(default)]
     pub log_variables: BTreeMap<String, Vec<String>>,
 }
 
-/// How the master steps.
+/// The master's algorithm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MasterAlgorithm {
-    /// Which algorithm: `fixed-step` alone is understood.
+    /// The kind of algorithm: only `fixed-step` is supported.
     #[serde(rename = "type")]
     pub kind: String,
     /// Length of a step in seconds.

@@ -11,7 +11,7 @@ use cordon_core::exact;
 /// Name of the multi-model in an exported folder.
 pub const FILE_NAME: &str = "multi-model.json";
 
-/// Name of a model's FMU beside the multi-model.
+/// File name of a model's FMU, which is stored beside the multi-model.
 pub fn fmu_file(model: &Model) -> String {
     format!("{}.fmu", model.identifier())
 }
@@ -25,7 +25,7 @@ fn instance_key(instance: &Instance) -> String {
     format!("{}.{}", key(&instance.model), instance.name)
 }
 
-/// The multi-model of a co-simulation, its FMUs beside it.
+/// The multi-model of a co-simulation, with its FMUs beside it.
 pub fn multi_model(assembly: &Assembly) -> MultiModel {
     let mut model = MultiModel {
         fmus: assembly.models().into_iter().map(|m| (key(m), fmu_file(m))).collect(),
@@ -58,7 +58,7 @@ pub fn multi_model(assembly: &Assembly) -> MultiModel {
     model
 }
 
-/// Exact numbers travel as text.
+/// The JSON value; exact numbers are text.
 fn to_json(value: &Value) -> Json {
     match value {
         Value::Real(x) => json!(x),

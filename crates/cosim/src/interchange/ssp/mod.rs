@@ -1,4 +1,4 @@
-//! SSP 1.0: the system structure, with the FMUs, in one archive.
+//! SSP 1.0: the system structure and its FMUs in one archive.
 
 mod read;
 
@@ -18,17 +18,17 @@ use crate::unit::{Causality, Kind, Value, Variable};
 use cordon_core::exact;
 use cordon_core::text::one_line;
 
-/// How names of archives end.
+/// File name extension of archives.
 pub const ENDING: &str = "ssp";
 
 /// The system structure in an archive.
 const STRUCTURE: &str = "SystemStructure.ssd";
 
-/// Elements of the list of units.
+/// XML elements of the unit definitions.
 const UNITS: units::Elements =
     units::Elements { list: "ssd:Units", unit: "ssc:Unit", base: "ssc:BaseUnit" };
 
-/// The archive: `SystemStructure.ssd`, and an FMU of every model under `resources/`.
+/// The archive: `SystemStructure.ssd`, and the FMU of every model under `resources/`.
 ///
 /// # Errors
 /// The standards have no name for this platform, or something is too large for an archive.
@@ -50,14 +50,14 @@ pub fn archive(
     package::archive(&files)
 }
 
-/// All parameters in one file, for importers that are given one.
+/// All parameters in one file, for importers that take a separate file.
 const PARAMETERS_FILE: &str = "resources/parameters.ssv";
 
-/// The one name of all parameter sets: importers apply the sets of a name.
+/// The common name of all parameter sets: importers apply the sets of one name.
 const PARAMETERS_NAME: &str = "parameters";
 
-/// Names of the components, their numbers as long as that of the last one: importers look
-/// for the beginning of `plant1.x0`, which must not be that of `plant10.x0`.
+/// Names of the components, with numbers padded to equal length: importers match the prefix
+/// `plant1.x0`, which must not match `plant10.x0`.
 fn names(assembly: &Assembly) -> Vec<String> {
     let last = Seat::at(assembly.instances.len().saturating_sub(1)).drone;
     let width = last.to_string().len();
@@ -71,7 +71,7 @@ fn names(assembly: &Assembly) -> Vec<String> {
 /// `resources/parameters.ssv`: every parameter as `component.parameter`.
 ///
 /// # Errors
-/// None: memory takes every write. The signature is that of the XML writer.
+/// None: writing to memory cannot fail. The signature is that of the XML writer.
 fn parameters(assembly: &Assembly) -> Result<Vec<u8>> {
     let mut xml = Writer::new_with_indent(Cursor::new(Vec::new()), b' ', 2);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
@@ -92,7 +92,7 @@ fn source(model: &Model) -> String {
 /// The system structure description.
 ///
 /// # Errors
-/// None: memory takes every write. The signature is that of the XML writer.
+/// None: writing to memory cannot fail. The signature is that of the XML writer.
 pub fn structure(assembly: &Assembly) -> Result<Vec<u8>> {
     let mut xml = Writer::new_with_indent(Cursor::new(Vec::new()), b' ', 2);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
@@ -149,8 +149,8 @@ fn swarm(xml: &mut Xml, assembly: &Assembly) -> Result<()> {
     Ok(())
 }
 
-/// Inputs that nothing is connected to are parameters only: some importers send zeros to every
-/// input among the connectors.
+/// Writes a component. Unconnected inputs are written as parameters only: some importers send zeros to
+/// every input among the connectors.
 fn component(
     xml: &mut Xml,
     name: &str,
@@ -184,7 +184,7 @@ fn component(
     Ok(())
 }
 
-/// Elements without attributes, one inside the other.
+/// Nested elements without attributes.
 fn nested(xml: &mut Xml, names: &[&str], inner: &dyn Fn(&mut Xml) -> Result<()>) -> Result<()> {
     match names {
         [] => inner(xml),

@@ -1,6 +1,6 @@
-//! Reads SSP archives: components that are FMUs, connections of their connectors, parameter bindings.
+//! Reading SSP archives: components that are FMUs, connections of their connectors, parameter bindings.
 //!
-//! What else a system structure may have is refused by name, where it would change the run.
+//! Other elements of a system structure are refused by name where they would change the run.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -14,7 +14,7 @@ use crate::interchange::ports::{Instance, Port, Ports};
 use crate::interchange::read::{Clock, System};
 use cordon_core::{Error, Result};
 
-/// The type of a component that is an FMU, and of a file of parameters; those by default.
+/// The types of FMU components and of parameter files, which are also the defaults.
 const FMU: &str = "application/x-fmu-sharedlibrary";
 const PARAMETER_SET: &str = "application/x-ssp-parameter-set";
 
@@ -103,7 +103,7 @@ struct Connection {
     enumeration: Option<Nothing>,
 }
 
-/// An element that is there; what it says is of no interest.
+/// An element whose content is ignored.
 #[derive(Deserialize)]
 struct Nothing {}
 
@@ -188,8 +188,7 @@ struct Text {
 /// The system of an archive.
 ///
 /// # Errors
-/// It cannot be read, or has something that would change the run and is not supported: the message
-/// names it.
+/// It cannot be read, or has an unsupported element that would change the run: the message names it.
 pub(in super::super) fn system(path: &Path) -> Result<System> {
     let fail = |what: String| Error::input(format!("{}: {what}", path.display()));
     let mut archive = archive::opened(path)?;
@@ -234,7 +233,7 @@ pub(in super::super) fn system(path: &Path) -> Result<System> {
         }
         ports.connect(from, to);
     }
-    // What is said of a component goes before what is said of the whole.
+    // Values set on a component override those set on the system.
     for (name, value) in all_parameters(&mut archive, &bindings).map_err(fail)? {
         let (component, variable) = name.split_once('.').unwrap_or(("the system", &name));
         ports.set(of(Some(component), variable)?, value);
@@ -289,7 +288,7 @@ impl Connection {
     }
 }
 
-/// The parameters of bindings, in their order.
+/// The parameters of all bindings, in order.
 fn all_parameters(
     archive: &mut Archive,
     bindings: &Bindings,

@@ -1,5 +1,6 @@
-//! Two neighbours driven into each other: one, and all before it, see others as far ahead as they were of
-//! late, the other and all beyond it as far behind. Nothing is searched, so that any number of drones will do.
+//! Drives two neighbours into each other: the left one, and all drones before it, see their neighbours
+//! as far ahead as they recently were; the right one, and all beyond it, as far behind. Nothing is
+//! searched, so that this works for any number of drones.
 
 use cordon_spec::delay::exec_coverage_delayed;
 use cordon_spec::theorems::{Form, Theorem};
@@ -13,12 +14,12 @@ use crate::counterexample::Counterexample;
 use cordon_core::Rational;
 use cordon_core::linear::simplest::strictly_between;
 
-/// Who sees whom how late, step by step.
+/// Who sees whom with which delay, step by step.
 type Ages = Vec<Vec<(usize, usize, usize)>>;
 
 impl Swarm {
-    /// The first crossing up to step `last` of a run like that, from a start in which one gap is large
-    /// and the others are small.
+    /// The first crossing up to step `last` in such a run, from starts in which one gap is large and
+    /// the others are zero.
     pub(super) fn facing(&self, last: usize) -> Option<Counterexample> {
         let gaps = self.count.saturating_sub(1);
         let mut best: Option<(usize, Counterexample)> = None;
@@ -38,7 +39,7 @@ impl Swarm {
         best.map(|(_, found)| found)
     }
 
-    /// The step up to `last` at which the drones of a pair change places, and the ages up to there.
+    /// The step up to `last` at which the drones of a pair swap places, and the ages up to then.
     fn driven(&self, start: &[Rational], pair: usize, last: usize) -> Option<(usize, Ages)> {
         let Departures::Late(longest) = self.departures else { return None };
         let mut run = vec![start.to_vec()];
@@ -46,7 +47,7 @@ impl Swarm {
         for t in 0..last {
             let place = |age: usize, j: usize| run.get(t.checked_sub(age)?)?.get(j);
             let stale = self.links().into_iter().filter_map(|(i, j)| {
-                // Of places alike the latest.
+                // Of equal positions the latest.
                 let better = |a: usize, b: usize| match (place(a, j), place(b, j)) {
                     (Some(a), Some(b)) => {
                         if i <= pair {
@@ -73,7 +74,7 @@ impl Swarm {
         None
     }
 
-    /// What the last step so far leads to.
+    /// The placement after the last step.
     fn next(&self, run: &[Vec<Rational>], ages: &Ages) -> Option<Vec<Rational>> {
         let t = run.len().checked_sub(1)?;
         let now = run.get(t)?;
@@ -88,8 +89,8 @@ impl Swarm {
         Some(exec_coverage_delayed(&params, &state, seen).drones)
     }
 
-    /// The same ages from a start with no gap 0: the simplest mixture with equal gaps from which the pair
-    /// still meets. With the ages as they are, a run is a linear function of its start.
+    /// The same ages from a start with no zero gap: the simplest mixture with equal gaps in which the
+    /// pair still meets. For fixed ages a run is a linear function of its start.
     fn started_inside(
         &self,
         start: &[Rational],

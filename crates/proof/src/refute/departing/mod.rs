@@ -1,5 +1,5 @@
-//! Steps in which drones skip their update, or see their neighbours where they were: as a system that
-//! the spec's own functions are executed to make, searched by the engine of claims.
+//! Steps in which drones skip their update, or see old positions of their neighbours: as a system
+//! derived by executing the spec's own functions, and searched by the claims engine.
 
 mod facing;
 mod order;
@@ -17,26 +17,28 @@ use crate::counterexample::Counterexample;
 use cordon_core::{Error, Rational, Result, progress};
 use swarm::Swarm;
 
-/// How steps depart from the protocol as written, in each step anew.
+/// How steps may depart from the protocol as written, independently in each step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Departures {
     /// Any drone may skip its update.
     Skips,
-    /// Each drone may see each neighbour as it was up to so many steps ago, but never before the start.
+    /// Each drone may see each neighbour as it was up to this many steps ago, but never before the
+    /// start.
     Late(usize),
 }
 
-/// Whether the conclusion is about one placement and made of comparisons, so that it is a claim.
+/// Whether the conclusion concerns a single placement and consists of comparisons, so that it is a
+/// claim.
 pub fn is_claim(theorem: Theorem, form: Form) -> bool {
     is_conjunction(theorem) && theorem.span(form, 3) == 0
 }
 
-/// Searches over all departures of every step: the smallest counterexample with delays that do not change,
-/// and where there is none, the smallest at all.
+/// Searches over all departures of every step: the smallest counterexample with constant delays and,
+/// failing that, the smallest of all.
 ///
 /// # Errors
-/// The theorem reads more than one placement, or there are more drones and delays than a system has
-/// variables.
+/// The theorem concerns several placements, or drones and delays need more variables than a system may
+/// have.
 pub fn search(space: &SearchSpace, departures: Departures) -> Result<SearchResult> {
     let number = space.theorem.number();
     if !is_claim(space.theorem, space.form) {
@@ -49,7 +51,7 @@ pub fn search(space: &SearchSpace, departures: Departures) -> Result<SearchResul
         let swarm = |eps: &Rational| Swarm { count, eps: eps.clone(), departures };
         swarm(&Rational::zero()).fits()?;
         let weights = space.weights_for(count);
-        // The simplest first: delays that do not change.
+        // The simplest first: constant delays.
         let mut best: Option<Counterexample> = None;
         for eps in &weights {
             best = swarm(eps).unchanging_counterexample(space, best);
@@ -66,7 +68,7 @@ pub fn search(space: &SearchSpace, departures: Departures) -> Result<SearchResul
                 Some(found) if found.step == 0 => break,
                 Some(found) => found.step - 1,
             };
-            // What the simple ones leave, the others may use.
+            // What earlier weights leave of the budget, the remaining ones share.
             let mut work = left / others;
             others -= 1;
             left -= work;

@@ -1,4 +1,4 @@
-//! Whether drones keep their order where messages are late, at one weight.
+//! Whether drones keep their order when messages are late, at one weight.
 
 use cordon_spec::theorems::{Form, Theorem};
 use serde_json::Value;
@@ -12,19 +12,19 @@ use crate::counterexample::Counterexample;
 use crate::refute::SearchSpace;
 use cordon_core::{Rational, Result};
 
-/// What is known at a weight.
+/// What is known at one weight.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Order {
-    /// No drones ever meet, whatever is late: half-spaces of an invariant, and the certificate that the
-    /// independent checker has accepted.
+    /// No drones ever meet, whatever the delays: the number of half-spaces of an invariant, and the
+    /// certificate accepted by the independent checker.
     Kept(usize, Value),
     /// Two drones meet in this run.
     Lost(Counterexample),
-    /// Neither was found, by what ended the search.
+    /// Neither was found; the reason why the search ended.
     Open(String),
 }
 
-/// Steps up to which a crossing is looked for.
+/// The number of steps searched for a crossing.
 const STEPS: usize = 60;
 
 fn swarm(count: usize, longest: usize, eps: &Rational) -> Swarm {
@@ -34,19 +34,19 @@ fn swarm(count: usize, longest: usize, eps: &Rational) -> Swarm {
 /// A crossing of two neighbours that are driven into each other, if there is one.
 ///
 /// # Errors
-/// There are more drones and delays than a system has variables.
+/// Drones and delays need more variables than a system may have.
 pub fn crossing(count: usize, longest: usize, eps: &Rational) -> Result<Option<Counterexample>> {
     let swarm = swarm(count, longest, eps);
     swarm.fits()?;
-    // Where they meet at all they do so soon after the last message from before the start.
+    // If they meet, they do so soon after the last message from before the start.
     Ok(swarm.facing(6 * longest + 20))
 }
 
-/// Whether `count` drones keep their order where each may see each neighbour up to `longest` steps late,
-/// in each step anew. The search stops where `work` is used up.
+/// Whether `count` drones keep their order when each may see each neighbour up to `longest` steps late,
+/// independently in each step. The search stops when `work` is used up.
 ///
 /// # Errors
-/// There are more drones and delays than a system has variables.
+/// Drones and delays need more variables than a system may have.
 pub fn order(count: usize, longest: usize, eps: &Rational, mut work: u64) -> Result<Order> {
     let swarm = swarm(count, longest, eps);
     swarm.fits()?;

@@ -1,4 +1,4 @@
-//! A line of drones whose steps depart, as a system.
+//! A line of drones with departing steps, as a system.
 
 use cordon_spec::activation::exec_coverage_active;
 use cordon_spec::delay::exec_coverage_delayed;
@@ -22,24 +22,24 @@ use cordon_core::system::{
 };
 use cordon_core::{Error, Rational, Result};
 
-/// Where a drone is, and where it was a step ago, two, and so on: as far back as certificates name it.
+/// Names of a drone's position now, one step ago, two steps ago, and so on, as in certificates.
 const NAMES: [&str; 21] = [
     "x", "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m", "n", "o", "p", "q", "r",
     "s", "t",
 ];
 
-/// A line of drones on the segment \[0, 1\] whose steps depart.
+/// A line of drones on the segment \[0, 1\] with departing steps.
 pub(super) struct Swarm {
     /// Number of drones, at least 3.
     pub count: usize,
     /// The weight of the neighbours.
     pub eps: Rational,
-    /// What steps may do.
+    /// The allowed departures.
     pub departures: Departures,
 }
 
 impl Swarm {
-    /// How many placements the state has.
+    /// The number of placements in the state.
     fn remembered(&self) -> usize {
         match self.departures {
             Departures::Skips => 1,
@@ -47,12 +47,12 @@ impl Swarm {
         }
     }
 
-    /// Who sees whom late, where it matters: the end drones do not move.
+    /// The links with delays that matter: the end drones do not move, whatever they see.
     pub(super) fn links(&self) -> Vec<(usize, usize)> {
         (1..self.count.saturating_sub(2)).flat_map(|i| [(i, i + 1), (i + 1, i)]).collect()
     }
 
-    /// Refuses more positions than a system may have.
+    /// Refuses more variables than a system may have.
     pub(super) fn fits(&self) -> Result<()> {
         let width = self.remembered();
         let variables = self.count.saturating_mul(width);
@@ -66,7 +66,7 @@ impl Swarm {
         Ok(())
     }
 
-    /// The theorem about this swarm as a system with claims.
+    /// The theorem on this swarm, as a system with claims.
     fn system(&self, space: &SearchSpace) -> Result<System> {
         let width = self.remembered();
         let mut system = System::of(self)?;
@@ -79,7 +79,7 @@ impl Swarm {
         };
         let concluded =
             |run: &[Vec<Symbol<Affine>>]| space.theorem.conclusion(space.form, &setting, run);
-        // At rest every earlier placement is in the start set too, which a step may keep.
+        // The earlier placements, at rest, are in the start set too; a step may preserve that.
         let assumed = (0..width).map(|age| {
             let placement = (0..self.count).map(|i| position(i, age)).collect();
             demands(&[placement], contained, |t| *t == Truth::False)
@@ -104,7 +104,7 @@ impl Swarm {
         Ok(system)
     }
 
-    /// The first counterexample up to step `last`, or how far there is none, within so much work.
+    /// The first counterexample up to step `last`, or the extent without one, within a budget of work.
     pub(super) fn counterexample(
         &self,
         space: &SearchSpace,
@@ -116,12 +116,12 @@ impl Swarm {
             Sought::Never(_) => (None, Extent::EveryStartAndStep),
             Sought::NotUpTo(step, _) if step >= last => (None, Extent::EveryStart),
             Sought::NotUpTo(..) => (None, Extent::Tried),
-            // The spec decides; a run that it does not confirm is no counterexample.
+            // The spec decides; a run that it does not confirm is not a counterexample.
             Sought::Fails(run) => (self.replayed(space, &run), Extent::Tried),
         })
     }
 
-    /// What the search finds up to step `last`, within so much work, and in which system.
+    /// The result of the search up to step `last`, within a budget of work, and the system searched.
     pub(super) fn sought(
         &self,
         space: &SearchSpace,
@@ -151,13 +151,13 @@ impl Swarm {
         Counterexample::replay_departing(theorem, form, &self.eps, start, run.step, departure)
     }
 
-    /// The inner drones that update.
+    /// The internal drones that update.
     fn active(&self, choice: &Choice) -> Vec<usize> {
         let acts = choice.values.iter().enumerate().filter(|(_, acts)| acts.is_one());
         acts.map(|(place, _)| place + 1).collect()
     }
 
-    /// Who sees whom how late in the step from time t; before the start all were at rest.
+    /// Who sees whom with which delay in the step from time t; before the start all were at rest.
     fn stale(&self, t: usize, choice: &Choice) -> Vec<(usize, usize, usize)> {
         let longest = self.remembered() - 1;
         let links = self.links();
@@ -170,8 +170,8 @@ impl Swarm {
     }
 }
 
-/// Each drone's variables are its positions, the latest first. Choices: whether inner drone `i` acts; of
-/// each link whether what is seen is at least one step old, at least two, and so on.
+/// Each drone's variables are its positions, the latest first. Choices: whether internal drone `i`
+/// acts; for each link whether the position seen is at least one step old, at least two, and so on.
 impl Protocol for Swarm {
     fn agents(&self) -> usize {
         self.count
@@ -222,7 +222,7 @@ impl Protocol for Swarm {
                 let past: Vec<Vec<S>> = (0..=longest).map(ago).collect();
                 let links = self.links();
                 let seen = |(&(_, j), late): (&(usize, usize), &[S])| {
-                    // From the oldest on: not so old, or as old as that at least.
+                    // From the oldest: newer than this, or at least this old.
                     let none = number(&Rational::zero());
                     let at = |age: usize| past.get(age).and_then(|x| x.get(j)).unwrap_or(&none);
                     let oldest = at(longest).clone();
@@ -255,7 +255,7 @@ mod tests {
     use super::*;
     use cordon_core::random::SplitMix;
 
-    /// Whatever is chosen, a step of the system is the spec's step with those departures.
+    /// Whatever is chosen, a step of the system is the spec's step with these departures.
     #[test]
     fn a_step_is_the_specs_whatever_is_chosen() {
         let mut random = SplitMix::new(7);

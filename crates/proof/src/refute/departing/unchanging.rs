@@ -1,4 +1,4 @@
-//! Delays that do not change in a run, tried by the spec itself.
+//! Constant delays, tried by executing the spec.
 
 use cordon_spec::State;
 use cordon_spec::coverage::getx;
@@ -12,14 +12,14 @@ use crate::refute::region::Region;
 use crate::refute::{SearchSpace, params, violating_start};
 use cordon_core::linear::affine::Affine;
 
-/// Most patterns of delays that do not change.
+/// Most patterns of constant delays.
 const MOST_PATTERNS: usize = 10_000;
 
-/// Most drones for which they are tried: what happens between two drones needs no more around them.
+/// Most drones for which they are tried: two drones need no more around them to interact.
 const MOST_DRONES: usize = 12;
 
 impl Swarm {
-    /// A counterexample at an earlier step than the one known, with delays that do not change; else that
+    /// A counterexample with constant delays at an earlier step than the known one; otherwise the known
     /// one.
     pub(super) fn unchanging_counterexample(
         &self,
@@ -32,8 +32,8 @@ impl Swarm {
         })
     }
 
-    /// How late each link is where that does not change, the smallest delays first. Where those are too
-    /// many, only two drones are late, to each other.
+    /// The constant delays of each link, the smallest first. Where there are too many patterns, only
+    /// two drones are late, to each other.
     fn unchanging(&self) -> Vec<Vec<usize>> {
         let Departures::Late(longest) = self.departures else { return Vec::new() };
         if self.count > MOST_DRONES {
@@ -48,7 +48,7 @@ impl Swarm {
                 };
                 all.into_iter().flat_map(longer).collect()
             }),
-            // Both directions of a link are beside each other.
+            // Both directions of a link are adjacent.
             false => (0..links)
                 .step_by(2)
                 .flat_map(|pair| (1..=longest).map(move |age| (pair, age)))

@@ -92,12 +92,55 @@ fn settling_writes_its_certificate() {
 #[test]
 fn too_many_differences_are_named() {
     let folder = tempfile::tempdir().unwrap();
-    let text = "agents = 70\ntopology = \"ring\"\nconverges = \"agreement\"\n[rules]\n\
+    let text = "agents = 202\ntopology = \"ring\"\nconverges = \"agreement\"\n[rules]\n\
                 all = \"(x + next.x)/2\"\n";
     let file = written(&folder, "many", text);
     let (code, out, _) = run(&["prove", "--protocol", &file]);
     assert_eq!(code, 3);
-    assert!(out.contains("69 differences have to vanish: expected at most 64"), "{out}");
+    assert!(out.contains("201 differences have to vanish: expected at most 200"), "{out}");
+}
+
+#[test]
+fn a_flag_about_ranges_needs_one() {
+    let file = "scenarios/own/weighted-coverage.toml";
+    for one in [vec!["--protocol", file, "--set", "eps=1/3"], vec!["7.2", "--eps", "1/3"]] {
+        let line = [&["refute", "--denominators", "5"], one.as_slice()].concat();
+        let (code, out, error) = run(&line);
+        assert_eq!((code, out.as_str()), (2, ""));
+        assert!(error.contains("denominators: `5`: expected a range"), "{error}");
+    }
+}
+
+#[test]
+fn wide_runs_show_what_the_claim_is_about() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "agents = 100\ntopology = \"line\"\nstart = [\"x0 = 0\", \"x[N-1] = 1\", \"x[i] < x[i+1]\"]\n\
+                claims = [\"x60 < x61\"]\n[rules]\nfirst = \"0\"\nlast = \"1\"\n\
+                inner = \"x + 3/5*sum(their.x - x)\"\n";
+    let file = written(&folder, "wide", text);
+    let (code, out, _) = run(&["refute", "--protocol", &file]);
+    assert_eq!(code, 1, "{out}");
+    let head = out.lines().find(|l| l.trim_start().starts_with("step ")).unwrap();
+    assert!(["x0 ", "x59 ", "x60 ", "x61 ", "... "].iter().all(|w| head.contains(w)), "{head}");
+    assert!(head.len() <= 170, "{head}");
+    let start: Vec<String> = (0..100).map(|i| format!("{i}/99")).collect();
+    let line = ["trace", "--protocol", &file, "--start", &start.join(","), "--steps", "1"];
+    let (code, out, _) = run(&line);
+    assert_eq!(code, 0);
+    assert!(out.lines().all(|l| l.chars().count() <= 200), "{out}");
+    assert!(
+        out.contains("x99") && out.contains("are left out here: --format csv has all"),
+        "{out}"
+    );
+    let csv = run(&[&line[..], &["--format", "csv"]].concat()).1;
+    assert_eq!(csv.lines().next().unwrap().split(',').count(), 101);
+}
+
+#[test]
+fn certain_digits_have_their_title() {
+    let line = "trace --protocol scenarios/own/coverage.toml --start 0,1/10,1/5,3/10,1 --eps 1/5 --at 7 --engine digits";
+    let (code, out, _) = run(&line.split(' ').collect::<Vec<_>>());
+    assert!(code == 0 && out.starts_with("coverage\n"), "{out}");
 }
 
 #[test]

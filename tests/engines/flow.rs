@@ -55,11 +55,11 @@ fn the_platoon_is_proved() {
 fn what_is_false_is_not_proved() {
     // At rest under a push of 1 the body is at 1.
     let tight = spring().replace("-3 <= x <= 3", "-1/2 <= x <= 1/2");
-    assert!(matches!(answer(&tight), Answer::Missed(0, by) if by > 0.0));
+    assert!(matches!(answer(&tight), Answer::Missed(_, by) if by > 0.0));
     let rising = spring().replace("-x - v + push", "-x + v + push");
     assert!(matches!(answer(&rising), Answer::Open));
     let outside = spring().replace("0 <= x <= 1/2", "0 <= x <= 4");
-    assert!(matches!(answer(&outside), Answer::Missed(0, by) if by > 0.0));
+    assert!(matches!(answer(&outside), Answer::Missed(_, by) if by > 0.0));
 }
 
 #[test]

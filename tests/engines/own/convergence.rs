@@ -5,7 +5,7 @@ use crate::common::q;
 use cordon_core::Rational;
 use cordon_proof::claims::converge;
 use cordon_proof::claims::settle::settles;
-use cordon_proof::claims::threshold::{Property, critical};
+use cordon_proof::claims::threshold::{Known, Property, critical, known};
 use num_traits::{Signed, Zero};
 
 #[test]
@@ -153,4 +153,32 @@ fn choices_may_keep_a_system_from_converging() {
     assert!(found.word.iter().flat_map(|c| &c.values).all(Zero::is_zero));
     assert!(converge::grows(&lossy("")).unwrap().is_none());
     assert!(converge::contraction(&lossy("")).unwrap().is_some());
+}
+
+/// Lines of many agents: forms with short numbers, and growth by invariant subspaces.
+#[test]
+fn many_differences_are_judged() {
+    let line = |agents: usize, eps: &str| {
+        system(&format!(
+            "agents = {agents}\ntopology = \"line\"\nconverges = \"target\"\ntarget = \"i/(N - 1)\"\n\
+             [rules]\nfirst = \"0\"\ninner = \"x + {eps}*sum(their.x - x)\"\nlast = \"1\"\n"
+        ))
+    };
+    for agents in [30, 100] {
+        let found = converge::contraction(&line(agents, "1/3")).unwrap().unwrap();
+        assert!(is_valid(&found.certificate) && found.rate < q("1"), "{agents}");
+    }
+    for agents in [10, 40] {
+        let fast = line(agents, "11/20");
+        assert!(converge::contraction(&fast).unwrap().is_none());
+        let found = converge::grows(&fast).unwrap().unwrap();
+        assert!(is_valid(&found.certificate), "{agents}");
+    }
+}
+
+/// Without work nothing is said.
+#[test]
+fn a_search_without_work_is_open() {
+    let system = own("coverage", Some(4));
+    assert_eq!(known(&system, Property::Claims, &mut 0).unwrap(), Known::Open);
 }

@@ -90,7 +90,7 @@ fn divided(a: &Matrix, backwards: &Matrix, basis: &Matrix) -> Option<Matrix> {
 
 /// A direction that no structure of a map prefers.
 fn direction(k: usize, n: usize) -> Vec<f64> {
-    (0..n).map(|j| ((k * n + j) as f64).powi(2).sin()).collect()
+    (0..n).map(|j| ((k * n + j + 1) as f64).powi(2).sin()).collect()
 }
 
 /// The vectors made orthonormal, the first first (Gram and Schmidt, twice for the sake of rounding).

@@ -133,7 +133,7 @@ fn wide_runs_show_what_the_claim_is_about() {
         "{out}"
     );
     let csv = run(&[&line[..], &["--format", "csv"]].concat()).1;
-    assert_eq!(csv.lines().next().unwrap().split(',').count(), 101);
+    assert_eq!(csv.lines().next().unwrap().split(',').count(), 202);
 }
 
 #[test]

@@ -50,5 +50,5 @@ pub unsafe fn text<'a>(text: *const c_char) -> Result<&'a str, Refusal> {
     }
     // SAFETY: not null, and the caller guarantees the rest.
     let bytes = unsafe { CStr::from_ptr(text) };
-    bytes.to_str().map_err(|_| Refusal::error("the importer passed a text that is no UTF-8"))
+    bytes.to_str().map_err(|_| Refusal::error("the importer passed a string that is not UTF-8"))
 }

@@ -17,7 +17,7 @@ pub struct Args {
     /// Certificates to check (proofs/checker/FORMAT.md describes them)
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
-    /// Form of the output
+    /// Output format
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     pub format: OutputFormat,
 }

@@ -14,7 +14,7 @@ pub struct Args {
     /// Only these numbers, separated by commas [default: all]
     #[arg(value_name = "NUMBERS", value_delimiter = ',')]
     numbers: Vec<u32>,
-    /// Form of the output
+    /// Output format
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     format: OutputFormat,
 }

@@ -14,7 +14,7 @@ pub struct Args {
     /// Only these numbers, separated by commas [default: all, 8 to 16]
     #[arg(value_name = "NUMBERS", value_delimiter = ',')]
     numbers: Vec<u32>,
-    /// Folder of the figures; it is made where there is none
+    /// Folder for the figures, created if missing
     #[arg(long, value_name = "DIR", default_value = "figures")]
     out: PathBuf,
     /// Form of the figures

@@ -57,7 +57,7 @@ pub(super) struct BinaryArg {
 
 #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 enum UnitArg {
-    /// One drone's share of the coverage protocol, the spec, exact inside; or of the protocol file that
+    /// One drone's part of the coverage protocol (the spec, exact inside), or of the protocol file that
     /// `--protocol` or a scenario names
     Coordination,
     /// The cascaded controller

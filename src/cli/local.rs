@@ -24,7 +24,7 @@ pub struct Args {
     /// Ticks to run, up to 100000 [default: up to the scenario's last protocol step]
     #[arg(long, value_name = "K")]
     ticks: Option<u64>,
-    /// Ticks from exchange to exchange of positions; the theorem is about 1
+    /// Ticks between exchanges of positions; the theorem requires 1
     #[arg(long, value_name = "TICKS", default_value_t = 1)]
     exchange_every: u64,
     /// Quotient eps/stepsize that the local machines count against, e.g. 7/2 [default: period - 1]
@@ -34,7 +34,7 @@ pub struct Args {
     /// modes [default: none is lost, late or skipped; the first mode]
     #[arg(long, value_name = "SEED")]
     seed: Option<u64>,
-    /// Form of the output
+    /// Output format
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     format: OutputFormat,
     /// Decimal places, rounded half to even, up to 10000 [default: 4]

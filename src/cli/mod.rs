@@ -62,7 +62,7 @@ pub enum Command {
     Cosim(Box<cosim::Args>),
     /// Certify how close two drones ever come in flight, between the samples too
     Separation(Box<separation::Args>),
-    /// Draw the paper's figures 8 to 16 from runs made now
+    /// Draw the paper's figures 8 to 16 from new runs
     Figures(figures::Args),
     /// Write a run as one HTML page to look at: play, pause, scrub, collisions marked
     Replay(Box<replay::Args>),
@@ -70,7 +70,7 @@ pub enum Command {
     Fmu(Box<fmu::Args>),
     /// List the theorems: hypotheses and conclusions, in the paper's form and the sharp form
     Theorems(theorems::Args),
-    /// Re-establish the paper's slips by computation, now
+    /// Re-establish the paper's errors by computation
     Errata(errata::Args),
     /// Try theorems on every start of a grid, or decide them for all real starts
     Sweep(Box<sweep::Args>),
@@ -82,7 +82,7 @@ pub enum Command {
     Check(check::Args),
     /// Bracket the critical weight of a property from both sides, with a certificate on each
     Threshold(threshold::Args),
-    /// From which step on every drone is within a distance of its target: proved and true
+    /// Find the step from which every drone stays within a distance of its target: proved and exact
     Settle(settle::Args),
     /// Moved to `cargo xtask kani`
     #[command(hide = true)]

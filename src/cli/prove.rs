@@ -28,7 +28,7 @@ pub struct Args {
     /// Form of the theorems
     #[arg(long, value_enum, default_value_t = FormChoice::Sharp, conflicts_with = "protocol")]
     pub form: FormChoice,
-    /// Weight or range of weights in the place of each theorem's own range
+    /// Weight or range of weights, instead of each theorem's own range
     #[arg(long, value_name = "E|LO..HI", allow_hyphen_values = true, conflicts_with = "protocol")]
     pub eps: Option<String>,
     /// Number of drones: one N from 3 to 1000000, or every N
@@ -37,7 +37,7 @@ pub struct Args {
     /// Folder to write the certificates to
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Form of the output
+    /// Output format
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     pub format: OutputFormat,
 }

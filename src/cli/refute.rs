@@ -45,10 +45,10 @@ pub struct Args {
     /// Number of drones, or a range, from 3 to 50
     #[arg(long, value_name = "N|LO..HI", default_value = "3..6", conflicts_with = "protocol")]
     drones: String,
-    /// Weight or range of weights, whatever the theorem says of them [default: the theorem's]
+    /// Weight or range of weights, regardless of the theorem's own range [default: the theorem's]
     #[arg(long, value_name = "E|LO..HI", allow_hyphen_values = true, conflicts_with = "protocol")]
     eps: Option<String>,
-    /// Of a range, the fractions with denominators up to this are searched, 1 to 100 [default: 8]
+    /// In a range of weights, search the fractions with denominators up to Q, 1 to 100 [default: 8]
     #[arg(long, value_name = "Q")]
     denominators: Option<u32>,
     /// Last step, 0 to 1000
@@ -63,7 +63,7 @@ pub struct Args {
     /// File for the counterexample as a certificate
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Form of the output
+    /// Output format
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     format: OutputFormat,
 }

@@ -20,8 +20,8 @@ pub struct ScenarioArgs {
     /// Number of drones, 3 to 1000000 [default: the length of the start]
     #[arg(long, value_name = "N", help_heading = "Scenario")]
     pub drones: Option<usize>,
-    /// Start: positions separated by commas (0,10,20,30,100), fractions and decimals allowed; of a
-    /// protocol file's state variables drone by drone (x0,v0,x1,v1,...)
+    /// Start: positions separated by commas (0,10,20,30,100), fractions and decimals allowed; for a
+    /// protocol file, all state variables drone by drone (x0,v0,x1,v1,...)
     #[arg(long, value_name = "X,...", allow_hyphen_values = true, help_heading = "Scenario")]
     pub start: Option<String>,
     /// Start: drone i at min + i*(TO - min)/(N-1), the last drone at max
@@ -52,13 +52,13 @@ pub struct ScenarioArgs {
     /// Graph of consensus and formation: path, ring or complete [default: path]
     #[arg(long, value_name = "NAME", help_heading = "Scenario")]
     pub graph: Option<String>,
-    /// Ticks from update to update, 1 to 4294967295 [default: 1]
+    /// Ticks between updates, 1 to 4294967295 [default: 1]
     #[arg(long, value_name = "TICKS", help_heading = "Scenario")]
     pub period: Option<u32>,
     /// Tick of the first update: first (tick 1) or last (tick `period`) [default: first]
     #[arg(long, value_name = "PHASE", help_heading = "Scenario")]
     pub phase: Option<String>,
-    /// Seconds a tick [default: none; 1/20 where drones fly]
+    /// Length of a tick in seconds [default: none; 1/20 in co-simulation]
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true, help_heading = "Scenario")]
     pub tau: Option<String>,
 }
@@ -100,7 +100,7 @@ impl ScenarioArgs {
             return Ok(scenario);
         }
         Err(places.point(Error::input(
-            "fault: expected none where the protocol runs alone: `cordon cosim` flies the scenario with its faults",
+            "fault: expected none, since the protocol runs without drones here: `cordon cosim` flies the scenario with its faults",
         )))
     }
 

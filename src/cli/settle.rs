@@ -48,7 +48,7 @@ pub struct Args {
     /// Folder for the certificate of the contraction (or of the growth)
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Form of the output
+    /// Output format
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     format: OutputFormat,
 }

@@ -32,7 +32,7 @@ pub struct Args {
     /// Drones whose positions are printed [default: five along the line]
     #[arg(long, value_name = "I,...", value_delimiter = ',')]
     show: Vec<usize>,
-    /// Form of the output
+    /// Output format
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     format: OutputFormat,
 }

@@ -21,7 +21,7 @@ pub struct Args {
     /// With --protocol: prove or refute each claim, and say what is known of it
     #[arg(long = "check", help_heading = "Own protocol")]
     pub known: bool,
-    /// Form of the output
+    /// Output format
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     pub format: OutputFormat,
 }

@@ -303,7 +303,7 @@ fn bad_flights_are_refused() {
         ("[[fault]]\nkind = \"loss\"\n", "bad.toml:6:8: fault: probability is missing"),
         (
             "[[fault]]\nkind = \"delay\"\nticks = 1\ndrone = 2\n",
-            "bad.toml:6:8: fault: `drone` is no field of a `delay`",
+            "bad.toml:6:8: fault: `drone` is not a field of a `delay`",
         ),
         ("[[fault]]\nkind = \"loss\"\nodds = 2\n", "unknown field `odds`"),
     ];

@@ -311,7 +311,7 @@ fn a_multi_model_that_was_written_is_read_as_the_same_scenario() {
             &["replay", &model, "--out", &path("system/cordon_plant.fmu")],
         ];
         for call in in_place {
-            fails(call, 2, &["out: `", "expected a file that is no input of the command"]);
+            fails(call, 2, &["out: `", "expected a file other than the inputs of the command"]);
         }
         assert_eq!(fs::read(&model).unwrap(), before);
         // Read and written again it is the same file.
@@ -444,7 +444,7 @@ fn ssp_archives_are_read_back_or_refused_by_name() {
             "source `../plant.fmu`: expected a file in the archive",
         ),
         ("resources/cordon_plant.fmu", "https://a/b.fmu", "source `https://a/b.fmu`"),
-        (component, r#"<ssd:Component name="control0""#, "component `control0` is there twice"),
+        (component, r#"<ssd:Component name="control0""#, "component `control0` occurs twice"),
         (
             r#"endConnector="w1"/>"#,
             r#"endConnector="w1"><ssc:LinearTransformation factor="2"/></ssd:Connection>"#,

@@ -77,7 +77,7 @@ fn what_is_not_known_is_not_certified_and_what_is_no_one_system_is_refused() {
                 "fmu.toml",
                 "start = [0, 2, 3]\nweight = 0.1\n[[unit]]\ndrone = 1\nunit = \"plant\"\nfmu = \"a.fmu\"\n",
             ),
-            "drones that differ are no one linear system",
+            "drones that differ are not one linear system",
         ),
     ] {
         let (code, out, err) = run(&["separation", &file]);

@@ -394,7 +394,7 @@ fn a_false_model_is_not_believed() {
     ] {
         let (code, out, _) = answered(&NEGATED, &answer);
         assert_eq!(code, Some(3));
-        assert_eq!(out, format!("the solver's model is no counterexample: {why}\n"));
+        assert_eq!(out, format!("the solver's model is not a counterexample: {why}\n"));
     }
     assert_eq!(answered(&NEGATED, "unsat\n").0, Some(0));
     assert_eq!(answered(&NEGATED, "unknown\n").0, Some(3));

@@ -248,7 +248,7 @@ fn another_version_is_refused() {
     for (version, said) in [
         ("cargo-kani 0.66.0", "not run: Kani 0.66.0: the harnesses are written for 0.67 or 0.68"),
         ("cargo-kani 1.2.3", "not run: Kani 1.2.3: the harnesses are written for 0.67 or 0.68"),
-        ("what?", "not run: `what?` is no version of Kani: expected 0.67 or 0.68"),
+        ("what?", "not run: `what?` is not a version of Kani: expected 0.67 or 0.68"),
     ] {
         stage.write("bin/version", version);
         let (out, why) = stage.ends(&[], 3);

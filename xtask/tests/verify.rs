@@ -180,7 +180,7 @@ fn a_missing_tool_is_not_run_never_green() {
     let page = repo.json(&["--tiers", "rocq", "--run", "rocq"], 3);
     assert_eq!(
         cell(&page, "rocq", "7.2")["detail"],
-        "no `proofs/rocq/theorems.tsv` that says what is claimed"
+        "no `proofs/rocq/theorems.tsv` with the list of what is claimed"
     );
 }
 
@@ -439,11 +439,11 @@ fn bad_input_is_named() {
     let error = stderr_of(&["verify", "--tiers", "coq"], 2);
     assert_eq!(
         error,
-        "error: --tiers: `coq` is no tier: expected `all` or some of simulated, grid, complete, \
+        "error: --tiers: `coq` is not a tier: expected `all` or some of simulated, grid, complete, \
          kani, smt, creusot, certificate, rocq, lean, pvs\n"
     );
     let error = stderr_of(&["verify", "--run", "x"], 2);
-    assert!(error.starts_with("error: --run: `x` is no tier"), "{error}");
+    assert!(error.starts_with("error: --run: `x` is not a tier"), "{error}");
     let error = stderr_of(&["verify", "--record", "all"], 2);
     assert_eq!(error, "error: --record: `all`: expected one tier\n");
     let error = stderr_of(&["verify", "--root", "no/such"], 2);

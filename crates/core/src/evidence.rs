@@ -74,6 +74,6 @@ impl TryFrom<String> for Evidence {
 
     fn try_from(text: String) -> Result<Self, String> {
         let found = Self::ALL.into_iter().find(|e| e.text() == text);
-        found.ok_or_else(|| format!("evidence: `{text}` is no kind of evidence"))
+        found.ok_or_else(|| format!("evidence: `{text}` is not a kind of evidence"))
     }
 }

@@ -125,7 +125,7 @@ pub fn recalled_reals<const N: usize>(
 
 /// The error of [`Resumable::recall`].
 pub fn no_memory(unit: &dyn Unit) -> UnitError {
-    UnitError::new(unit.name(), None, "this is no state of such a unit")
+    UnitError::new(unit.name(), None, "not a saved state of such a unit")
 }
 
 /// A variable of a unit, as an FMI model description has it.

@@ -32,17 +32,17 @@ pub struct Args {
     /// Write the run into this file; the summary goes to stdout
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Record these variables of units too: patterns over names like plant0.theta, where `*` stands
+    /// Also record these variables of units: patterns over names like plant0.theta, where `*` stands
     /// for any text, as in '*.w1,*.theta'
     #[arg(long, value_name = "PATTERNS", value_delimiter = ',')]
     variables: Vec<String>,
-    /// Form of the run [default: by the name of `--out`; without it a summary is printed]
+    /// Format of the run [default: by the name of `--out`; without it a summary is printed]
     #[arg(long, value_parser = choice::<Format>())]
     format: Option<Format>,
     /// Show progress from the start, on a terminal; else after two seconds
     #[arg(long)]
     progress: bool,
-    /// Also run in exact arithmetic and report how far the doubles are off
+    /// Also run in exact arithmetic and report the error of the doubles
     #[arg(long)]
     exact: bool,
 }
@@ -73,7 +73,7 @@ pub struct FlightArgs {
     /// Arithmetic of the authors' recorded runs, to the last bit
     #[arg(long, value_enum, help_heading = "Flight")]
     compat: Option<Compat>,
-    /// Run FMUs in this process: faster, but one that crashes takes this program with it
+    /// Run FMUs in this process: faster, but a crash of the FMU ends this program too
     #[arg(long, help_heading = "FMUs")]
     in_process: bool,
     /// Longest time that an FMU may take for a step [default: 60]

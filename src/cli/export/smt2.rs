@@ -180,7 +180,7 @@ fn report(query: &Query, model: &Model, out: &mut dyn Write) -> Result<Outcome> 
             Ok(Outcome::Refuted)
         }
         Replay::DoesNot(why) => {
-            writeln!(out, "the solver's model is no counterexample: {why}")?;
+            writeln!(out, "the solver's model is not a counterexample: {why}")?;
             Ok(Outcome::Inconclusive)
         }
     }

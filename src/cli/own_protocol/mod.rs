@@ -107,9 +107,7 @@ impl ProtocolArgs {
             let again = |other: &String| other.split_once('=').is_some_and(|(n, _)| n == name);
             if self.set.iter().take(place).any(again) {
                 let name = shortened(name);
-                return Err(Error::input(format!(
-                    "set: `{name}` is there twice: expected it once"
-                )));
+                return Err(Error::input(format!("set: `{name}` occurs twice: expected it once")));
             }
             let known: Vec<&str> = parameters.iter().map(|p| p.name.as_str()).collect();
             let among = match known.as_slice() {

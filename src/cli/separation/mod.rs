@@ -33,13 +33,13 @@ pub struct Args {
     scenario: ScenarioArgs,
     #[command(flatten)]
     flight: FlightArgs,
-    /// Wind on every drone, each its own and changing as it likes: at most W m/s2 of acceleration
+    /// Wind on every drone, independent and arbitrary in time: at most W m/s2 of acceleration
     #[arg(long, value_name = "W", allow_hyphen_values = true)]
     wind: Option<String>,
     /// Folder for the certificates
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Form of the output
+    /// Output format
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     format: OutputFormat,
 }
@@ -79,7 +79,8 @@ enum Flight {
 
 /// Certifies the smallest gap.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
-    args.flight.refuse(&["duration", "seed", "in-process", "step-limit"], "nothing is flown")?;
+    args.flight
+        .refuse(&["duration", "seed", "in-process", "step-limit"], "nothing is simulated")?;
     let swarm = args.flight.swarm(&args.scenario)?;
     let wind = args.wind.as_deref().map(|w| exact::parse("wind", w)).transpose()?;
     if let Some(w) = wind.as_ref().filter(|w| w.is_negative()) {
@@ -140,7 +141,7 @@ fn applies(swarm: &Cosimulation) -> Result<()> {
     };
     if let Some(unit) = swarm.units.first() {
         return Err(Error::input(format!(
-            "unit: `{}`: expected units of this program: drones that differ are no one linear system",
+            "unit: `{}`: expected units of this program: drones that differ are not one linear system",
             unit.fmu.display()
         )));
     }

@@ -42,7 +42,7 @@ pub(super) fn text(report: &Report<'_>, out: &mut dyn Write) -> Result<()> {
         )?,
         Some(gap) => writeln!(
             out,
-            "not certified: no bound of the gaps is shown (what follows, {} m, is none)",
+            "not certified: no lower bound above 0 for the gaps (the bound obtained is {} m)",
             short(gap)
         )?,
         None => writeln!(out, "not certified: no bound of the gaps is known")?,

@@ -42,7 +42,7 @@ Examples:
   cordon sweep 7.8 --shard 1/4 --out part-1.jsonl one part of four, which goes on after a crash
   cordon sweep --protocol FILE --grid 4           the claims of a protocol of your own (--complete: from
                                                   all real starts)
-  cordon sweep merge part-*.jsonl --audit 5       the parts together, five items computed anew
+  cordon sweep merge part-*.jsonl --audit 5       the parts together, five items recomputed
   cordon sweep 7.2 --drones 3..8 --submit slurm --shards 64 --out big
                                                   as a job array of Slurm, and its merge
   cordon sweep status big                         what of it is done
@@ -54,9 +54,9 @@ command that replays it), 2 bad usage or input, 3 some claim is vacuous or undec
 
 #[derive(clap::Subcommand, Debug)]
 enum Command {
-    /// Put the result files of all parts of a sweep together
+    /// Merge the result files of all parts of a sweep
     Merge(MergeArgs),
-    /// Say what of a submitted sweep is done, and how to run the rest
+    /// Show the state of a submitted sweep, and how to run the rest
     Status(submit::status::Args),
 }
 
@@ -69,10 +69,10 @@ struct MergeArgs {
     /// Write the whole sweep to this result file
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Compute this many work items anew, drawn at random, and refuse files that say otherwise
+    /// Recompute N random work items, and refuse files that disagree
     #[arg(long, value_name = "N", default_value_t = 0)]
     audit: usize,
-    /// Form of the output
+    /// Output format
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     format: OutputFormat,
 }
@@ -101,7 +101,7 @@ fn merged(args: &MergeArgs, out: &mut dyn Write) -> Result<Outcome> {
         // If stderr is closed there is nothing left to do.
         let _ = writeln!(
             std::io::stderr(),
-            "audited: {} of {} work items computed anew, all the same (seed {seed})",
+            "audited: {} of {} work items recomputed, all equal (seed {seed})",
             drawn.len(),
             findings.len()
         );
@@ -125,7 +125,7 @@ fn swept(options: &options::Options, out: &mut dyn Write) -> Result<Outcome> {
     let items = shard.of_items(&config, all)?;
     let total = work(&config, &items)?;
     if options.out.as_ref().is_some_and(|path| path.as_os_str() == files::STREAM) {
-        return Err(Error::input("out: `-`: expected a file, from which a later run goes on"));
+        return Err(Error::input("out: `-`: expected a file, so that a later run can continue"));
     }
     let (mut store, mut findings) = match &options.out {
         Some(path) => {

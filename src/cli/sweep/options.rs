@@ -41,10 +41,10 @@ pub(super) struct Options {
         conflicts_with = "protocol"
     )]
     eps_range: String,
-    /// These weights instead, separated by commas: fractions or decimals
+    /// Use these weights instead, separated by commas: fractions or decimals
     #[arg(long, value_name = "LIST", conflicts_with_all = ["max_denominator", "eps_range", "protocol"], allow_hyphen_values = true)]
     eps: Option<String>,
-    /// Keep no theorem to its own range of weights: shows why the range is needed
+    /// Ignore the theorems' own ranges of weights: shows why they are needed
     #[arg(long, conflicts_with = "protocol")]
     any_weight: bool,
     /// Least number of grid units across the region where internal drones start; with --protocol the parts
@@ -66,14 +66,14 @@ pub(super) struct Options {
     /// Threads, 1 to 1024 [default: one for each core]
     #[arg(long, value_name = "T", conflicts_with = "protocol")]
     threads: Option<usize>,
-    /// Run part I of N: the parts have all work items, each once
+    /// Run part I of N; together the parts cover every work item once
     #[arg(long, value_name = "I/N", conflicts_with = "protocol")]
     shard: Option<String>,
-    /// Result file, one JSON line for each work item; finished items are taken over from it. With
+    /// Result file, one JSON line for each work item; finished items in it are reused. With
     /// --submit, the folder of the parts' files [default: cordon-, and a hash of the sweep]
     #[arg(long, value_name = "FILE", conflicts_with = "protocol")]
     pub(super) out: Option<PathBuf>,
-    /// Form of the output
+    /// Output format
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     pub(super) format: OutputFormat,
     #[command(flatten)]

@@ -46,7 +46,7 @@ pub struct Args {
     /// Folder for the certificates of both sides
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Form of the output
+    /// Output format
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
     format: OutputFormat,
 }

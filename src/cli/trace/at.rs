@@ -15,7 +15,7 @@ use cordon_run::trace::{Row, shown};
 /// The flags of `cordon trace` that jump to chosen steps.
 #[derive(clap::Args, Clone, Debug, Default)]
 pub struct AtArgs {
-    /// Only these protocol steps, in this order, without the steps between (coverage, consensus
+    /// Only these protocol steps, in this order, without the steps in between (coverage, consensus
     /// on the path, and protocol files)
     #[arg(
         long,

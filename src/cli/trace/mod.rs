@@ -36,7 +36,7 @@ pub struct Args {
     /// Last row [default: the last step or tick]
     #[arg(long, value_name = "K")]
     to: Option<u64>,
-    /// Distance from row to row
+    /// Distance between rows
     #[arg(long, value_name = "K", default_value_t = 1)]
     every: u64,
     /// Theorems to check at every step: numbers like 7.2,7.3 or `all`; of a protocol file its
@@ -46,7 +46,7 @@ pub struct Args {
     /// Form of the checked theorems
     #[arg(long, value_enum, default_value_t = FormArg::Sharp)]
     form: FormArg,
-    /// Form of the output
+    /// Output format
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
     /// How numbers are written [default: decimal in tables, both in csv]

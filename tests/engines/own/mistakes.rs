@@ -114,6 +114,6 @@ fn mistakes_are_named_with_file_line_column_and_key() {
     assert!(
         with(&["--set", "gain=1"]).2.contains("set: `gain` is no parameter: expected one of eps")
     );
-    assert!(with(&["--set", "eps=1", "--set", "eps=0"]).2.contains("set: `eps` is there twice"));
+    assert!(with(&["--set", "eps=1", "--set", "eps=0"]).2.contains("set: `eps` occurs twice"));
     assert!(with(&["--set", "eps"]).2.contains("set: `eps`: expected a parameter and its value"));
 }

@@ -26,7 +26,7 @@ const EXIT_CODES: &str = "Exit codes: 0 done, 1 refuted, 2 bad usage or input, \
 pub enum Command {
     /// Show what is known of each theorem: run now, verified by record, or not run
     Verify(verify::Args),
-    /// Have the model checker Kani check the harnesses of kani/, and read what came of each
+    /// Run the model checker Kani on the harnesses of kani/, and read the results
     Kani(kani::Args),
     /// Write the test vectors of the mechanised mirrors, computed by the spec
     Vectors(vectors::Args),

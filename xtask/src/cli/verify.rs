@@ -93,7 +93,7 @@ fn names(flag: &str, list: &str) -> Result<Vec<String>> {
             } else {
                 let known = NAMES.join(", ");
                 Err(Error::input(format!(
-                    "{flag}: `{name}` is no tier: expected `all` or some of {known}"
+                    "{flag}: `{name}` is not a tier: expected `all` or some of {known}"
                 )))
             }
         })

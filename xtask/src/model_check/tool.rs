@@ -51,7 +51,7 @@ impl Kani {
         let version = first.rsplit(' ').next().unwrap_or_default();
         let mut parts = version.split('.').map(str::parse::<u32>);
         let (Some(Ok(major)), Some(Ok(minor))) = (parts.next(), parts.next()) else {
-            return Err(NotRun(format!("`{first}` is no version of Kani: expected {known}")));
+            return Err(NotRun(format!("`{first}` is not a version of Kani: expected {known}")));
         };
         if !SUPPORTED.contains(&(major, minor)) {
             return Err(NotRun(format!(
@@ -78,7 +78,7 @@ mod tests {
         }
         for nonsense in ["", "cargo-kani", "kani x.y"] {
             let NotRun(why) = Kani::of(nonsense).unwrap_err();
-            assert!(why.contains("is no version of Kani"), "{why}");
+            assert!(why.contains("is not a version of Kani"), "{why}");
         }
     }
 }

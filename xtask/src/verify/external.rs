@@ -137,8 +137,9 @@ impl External {
     /// The rows of the table about a theorem.
     fn rows(&self, theorem: Theorem) -> Result<Vec<Row>, String> {
         let path = self.root.join(self.tool.folder).join(TABLE);
-        let text = files::read_text(&path, files::Limit::RECORD)
-            .map_err(|_| format!("no `{}/{TABLE}` that says what is claimed", self.tool.folder))?;
+        let text = files::read_text(&path, files::Limit::RECORD).map_err(|_| {
+            format!("no `{}/{TABLE}` with the list of what is claimed", self.tool.folder)
+        })?;
         Ok(text.lines().skip(1).filter_map(Row::read).filter(|r| r.is_about(theorem)).collect())
     }
 

@@ -13,7 +13,7 @@ fn expect_no_input(path: &Path) -> Result<()> {
     let inputs = INPUTS.lock().unwrap_or_else(PoisonError::into_inner);
     match inputs.iter().find(|input| same(input, path)) {
         Some(_) => Err(Error::input(format!(
-            "out: `{}`: expected a file that is no input of the command",
+            "out: `{}`: expected a file other than the inputs of the command",
             path.display()
         ))),
         None => Ok(()),
@@ -133,7 +133,7 @@ fn temporary_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
         // The name of the temporary file would only confuse.
         io::ErrorKind::NotFound => io::Error::new(e.kind(), "there is no such folder"),
         io::ErrorKind::PermissionDenied => {
-            io::Error::new(e.kind(), "the folder does not take new files")
+            io::Error::new(e.kind(), "new files cannot be created in the folder")
         }
         _ => e,
     })

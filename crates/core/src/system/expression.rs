@@ -69,7 +69,7 @@ pub trait Meaning {
     /// # Errors
     /// There is none.
     fn member(&self, owner: &str, _name: &str) -> Result<Polynomial, String> {
-        Err(format!("`{owner}.` means nothing here"))
+        Err(format!("`{owner}.` is not defined here"))
     }
 
     /// `name[index]`
@@ -77,7 +77,7 @@ pub trait Meaning {
     /// # Errors
     /// There is none.
     fn indexed(&self, name: &str, _index: &Rational) -> Result<Polynomial, String> {
-        Err(format!("`{name}[..]` means nothing here"))
+        Err(format!("`{name}[..]` is not defined here"))
     }
 
     /// `sum(inner)`
@@ -85,7 +85,7 @@ pub trait Meaning {
     /// # Errors
     /// There is nothing to sum over, or `inner` is wrong.
     fn sum(&self, _inner: &Expression) -> Result<Polynomial, SyntaxError> {
-        Err(SyntaxError { at: 0, message: "`sum` means nothing here".to_owned() })
+        Err(SyntaxError { at: 0, message: "`sum` is not defined here".to_owned() })
     }
 }
 

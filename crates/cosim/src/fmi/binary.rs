@@ -89,5 +89,5 @@ fn build_under_cargo(folder: &Path) -> Result<()> {
     if ended.success() {
         return Ok(());
     }
-    Err(Error::input(format!("the binary for FMUs cannot be built: `{BUILD}` says why")))
+    Err(Error::input(format!("the binary for FMUs cannot be built: run `{BUILD}` to see why")))
 }

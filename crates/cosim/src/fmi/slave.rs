@@ -310,7 +310,7 @@ impl Slave {
             _ => {}
         }
         if self.mode == Mode::Fatal {
-            return Err(Refusal::fatal("reading: the instance is of no more use"));
+            return Err(Refusal::fatal("reading: the instance is no longer usable"));
         }
         self.settle()?;
         Ok(self.unit.get(place)?)
@@ -441,7 +441,7 @@ impl Slave {
     /// The state of another FMU, or one that was modified.
     pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), Refusal> {
         if self.mode == Mode::Fatal {
-            return Err(Refusal::fatal("going back: the instance is of no more use"));
+            return Err(Refusal::fatal("restoring: the instance is no longer usable"));
         }
         if snapshot.token != self.token {
             return Err(Refusal::error("this is the state of another FMU"));
@@ -485,5 +485,5 @@ fn grid(tau: &Rational) -> Result<Grid, Refusal> {
 }
 
 fn unexpected(value: &Value) -> Refusal {
-    Refusal::error(format!("the unit gave `{value}`, of another type than it says"))
+    Refusal::error(format!("the unit returned `{value}`, which is not of the declared type"))
 }

@@ -51,7 +51,7 @@ impl Mode {
             Self::Initialisation => "being initialised",
             Self::Step => "running",
             Self::Terminated => "terminated",
-            Self::Fatal => "of no more use",
+            Self::Fatal => "no longer usable",
         }
     }
 }

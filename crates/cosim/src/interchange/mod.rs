@@ -172,7 +172,7 @@ fn expect_plain(swarm: &Cosimulation) -> Result<()> {
     }
     if let Some(substitute) = swarm.units.first() {
         return Err(Error::input(format!(
-            "unit: `{}` in the place of the {} of drone {}: expected units of this program only",
+            "unit: `{}` replaces the {} of drone {}: expected units of this program only",
             substitute.fmu.display(),
             substitute.unit.name(),
             substitute.drone

@@ -361,7 +361,7 @@ impl System {
         }
         if let Some((from, to)) = unmatched.first() {
             return Err(Error::input(format!(
-                "the connection from `{from}` to `{to}` is none of a swarm"
+                "the connection from `{from}` to `{to}` does not belong in a swarm"
             )));
         }
         for (seat, instance) in Seat::all(drones.len()).zip(&assembly.instances) {

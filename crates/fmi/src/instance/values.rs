@@ -99,7 +99,7 @@ impl Instance {
                 let list: Vec<*const c_char> = list.iter().map(|t| t.as_ptr()).collect();
                 self.put2("fmi2SetString", variables, &list)
             }
-            (Version::V2, kind) => Err(format!("{kind:?} is no type of FMI 2.0")),
+            (Version::V2, kind) => Err(format!("{kind:?} is not a type of FMI 2.0")),
             (Version::V3, Type::Float64) => {
                 let list = pairs().map(|(v, x)| real(v, x)).collect::<Result<Vec<f64>, _>>()?;
                 self.put3("fmi3SetFloat64", variables, &list)
@@ -194,7 +194,7 @@ impl Instance {
                 let list = self.take2("fmi2GetString", variables, std::ptr::null())?;
                 read.extend(list.into_iter().map(copied));
             }
-            (Version::V2, kind) => return Err(format!("{kind:?} is no type of FMI 2.0")),
+            (Version::V2, kind) => return Err(format!("{kind:?} is not a type of FMI 2.0")),
             (Version::V3, Type::Float64) => {
                 let list = self.take3("fmi3GetFloat64", variables, 0.0)?;
                 read.extend(list.into_iter().map(Datum::Real));

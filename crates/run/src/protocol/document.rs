@@ -264,7 +264,7 @@ impl Document {
                 )));
             }
             if variables.iter().any(|v| v.name == name) {
-                return Err(fail(&format!("`{name}`: is there twice")));
+                return Err(fail(&format!("`{name}`: occurs twice")));
             }
             variables.push(Variable { name, unit });
         }

@@ -324,7 +324,7 @@ impl Draft {
 
     fn displacements(&self, count: usize) -> Result<Vec<Rational>> {
         let b = self.displacement.as_ref().ok_or_else(|| {
-            Error::input("displacement is missing: expected it in a scenario file, for which there is no flag")
+            Error::input("displacement is missing: expected it in a scenario file, as there is no flag for it")
         })?;
         if b.len() == count {
             Ok(b.clone())

@@ -110,7 +110,7 @@ fn fault(source: &Source<'_>, t: &FaultTable) -> Result<Fault> {
         ("drone", t.drone.is_some()),
     ];
     if let Some((field, _)) = given.iter().find(|(field, is)| *is && !wants.contains(field)) {
-        return Err(source.error(&at, &format!("fault: `{field}` is no field of a `{name}`")));
+        return Err(source.error(&at, &format!("fault: `{field}` is not a field of a `{name}`")));
     }
     let missing = |field: &str| source.error(&at, &format!("fault: {field} is missing"));
     let kind = match name {

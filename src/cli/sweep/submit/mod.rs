@@ -38,7 +38,7 @@ pub(in super::super) struct Options {
     /// Limit of each job's time, as Slurm reads it
     #[arg(long, value_name = "T")]
     time: Option<String>,
-    /// Print the files that say what is run, and write and submit nothing
+    /// Print the files that would be run; write and submit nothing
     #[arg(long)]
     dry_run: bool,
 }

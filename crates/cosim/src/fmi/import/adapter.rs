@@ -51,7 +51,7 @@ pub(super) fn map(unit: &dyn Unit, fmu: &Fmu, substitute: &Substitute) -> Result
         ))
     };
     if let Some(name) = names.keys().find(|n| !unit.variables().iter().any(|v| v.name == **n)) {
-        return Err(fail(name, "is no variable of this unit".to_owned()));
+        return Err(fail(name, "is not a variable of this unit".to_owned()));
     }
     let mut map = Map { counterparts: Vec::new(), parameters: Vec::new(), notes: Vec::new() };
     for (name, value) in &substitute.parameters {

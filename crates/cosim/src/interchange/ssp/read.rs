@@ -212,9 +212,7 @@ pub(in super::super) fn system(path: &Path) -> Result<System> {
         ports.settings.entry(instance.clone()).or_default();
         if instances.insert(component.name.as_str(), instance).is_some() {
             let name = &component.name;
-            return Err(fail(format!(
-                "component `{name}` is there twice: expected different names"
-            )));
+            return Err(fail(format!("component `{name}` occurs twice: expected different names")));
         }
     }
     let of = |name: Option<&str>, variable: &str| {

@@ -186,7 +186,7 @@ fn what_a_scenario_names_is_never_the_output() {
     for call in calls {
         let (code, out, err) = run(call);
         assert_eq!((code, out.as_str()), (2, ""), "{call:?}");
-        assert!(err.contains("--out: `") && err.contains("no input of the command"), "{err}");
+        assert!(err.contains("--out: `") && err.contains("inputs of the command"), "{err}");
     }
     assert!(fs::read_to_string(&fmu).unwrap().starts_with("no FMU"));
     // Twins that are accepted: another file; a companion that nobody reads.

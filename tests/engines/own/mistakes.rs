@@ -32,7 +32,7 @@ fn mistakes_are_named_with_file_line_column_and_key() {
         (good.replace("eps = 1", "x = 1"), "p.toml:5:1: parameters.x: expected a name"),
         (
             good.replace("eps = 1\n", ""),
-            "rules.all (agent 0): `eps` is no state variable, parameter",
+            "rules.all (agent 0): `eps` is not a state variable, parameter",
         ),
         (good.replace("line", "lines"), "p.toml:2:12: topology: `lines`: expected `line`, `ring`"),
         (
@@ -58,7 +58,7 @@ fn mistakes_are_named_with_file_line_column_and_key() {
             rule("prev.x"),
             "rules.all (agent 0): agent 0 has no `prev`: expected a rule of its own for `first`",
         ),
-        (rule("x[5]"), "`5` is no agent: expected 0 to 1"),
+        (rule("x[5]"), "`5` is not an agent: expected 0 to 1"),
         (
             good.replace("all =", "7 ="),
             "p.toml:7:1: rules.7: expected `all`, `first`, `inner`, `last` or an agent",
@@ -66,7 +66,7 @@ fn mistakes_are_named_with_file_line_column_and_key() {
         (good.replace("all =", "first ="), "rules: agent 1 has no rule"),
         (
             good.replace("x0 < x1", "x0 < x2"),
-            "p.toml:3:17: claims: `2` is no agent: expected 0 to 1",
+            "p.toml:3:17: claims: `2` is not an agent: expected 0 to 1",
         ),
         (good.replace("x0 < x1", "x0 * x1 < 1"), "claims: expected no product"),
         (good.replace("x0 < x1", "eps < x1"), "claims: `eps`: expected a state variable"),
@@ -112,7 +112,7 @@ fn mistakes_are_named_with_file_line_column_and_key() {
     assert_eq!(with(&["--start", "1,0"]).0, 2, "not an assumed start");
     assert_eq!(with(&["--start", "0"]).0, 2, "too short");
     assert!(
-        with(&["--set", "gain=1"]).2.contains("set: `gain` is no parameter: expected one of eps")
+        with(&["--set", "gain=1"]).2.contains("set: `gain` is not a parameter: expected one of eps")
     );
     assert!(with(&["--set", "eps=1", "--set", "eps=0"]).2.contains("set: `eps` occurs twice"));
     assert!(with(&["--set", "eps"]).2.contains("set: `eps`: expected a parameter and its value"));

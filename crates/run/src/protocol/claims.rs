@@ -101,7 +101,7 @@ pub(super) fn numbered(name: &str) -> Option<(&str, usize)> {
 }
 
 pub(super) fn no_agent(given: impl std::fmt::Display, agents: usize) -> String {
-    format!("`{given}` is no agent: expected 0 to {}", agents.saturating_sub(1))
+    format!("`{given}` is not an agent: expected 0 to {}", agents.saturating_sub(1))
 }
 
 impl Claims<'_> {

@@ -88,7 +88,7 @@ impl ProtocolFile {
         let is_ring = match links.topology {
             Topology::Line => false,
             Topology::Ring => true,
-            _ => return Err("the topology is no line and no ring".to_owned()),
+            _ => return Err("the topology is neither a line nor a ring".to_owned()),
         };
         let empty = RuleTable::new();
         let rules = doc.rules.as_ref().map_or(&empty, Spanned::get_ref);

@@ -112,7 +112,7 @@ impl<'s> Rules<'s> {
                 found.ok_or_else(|| {
                     let known: Vec<&str> = rules.modes.iter().map(|(n, _)| n.as_str()).collect();
                     let message = format!(
-                        "switching: `{}` is no mode: expected some of {}",
+                        "switching: `{}` is not a mode: expected some of {}",
                         mode.get_ref(),
                         known.join(", ")
                     );
@@ -192,7 +192,7 @@ impl<'s> Rules<'s> {
             Value::Table(table) => {
                 let is_variable = |name: &String| self.variables.iter().any(|v| v.name == *name);
                 if let Some(other) = table.keys().find(|k| !is_variable(k)) {
-                    let message = format!("{field}: `{other}` is no state variable");
+                    let message = format!("{field}: `{other}` is not a state variable");
                     return Err(self.source.error(&place, &message));
                 }
                 let own = |v: &Variable| match table.get(&v.name) {
@@ -424,7 +424,7 @@ impl Names<'_> {
         match self.variable(name) {
             Some(v) if j < self.rules.count => Ok(self.of(j, v)),
             Some(_) => Err(no_agent(j, self.rules.count)),
-            None => Err(format!("`{name}` is no state variable")),
+            None => Err(format!("`{name}` is not a state variable")),
         }
     }
 }
@@ -446,7 +446,7 @@ impl Meaning for Names<'_> {
         }
         match numbered(name) {
             Some((letters, j)) if self.variable(letters).is_some() => self.of_agent(j, letters),
-            _ => Err(format!("`{name}` is no state variable, parameter, `N` or `i`")),
+            _ => Err(format!("`{name}` is not a state variable, parameter, `N` or `i`")),
         }
     }
 

@@ -155,7 +155,7 @@ pub fn reach_targets(p: Params<Real>, x: Seq<Real>) -> bool {
 /// Twice the bound of the sum (corollary 7.4).
 #[logic(open)]
 pub fn bound(p: Params<Real>, x: Seq<Real>) -> Real {
-    int(x.len()) * (p.min + p.max)
+    times(int(x.len()), p.min + p.max)
 }
 
 /// How many placements beyond X^k the conclusion about step k reads.

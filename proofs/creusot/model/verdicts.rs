@@ -152,10 +152,11 @@ pub fn reach_targets(p: Params<Real>, x: Seq<Real>) -> bool {
     behind(p, x) && ahead(p, x)
 }
 
-/// Twice the bound of the sum (corollary 7.4).
+/// Twice the bound of the sum (corollary 7.4). (That 2 doubles is a hint: the code's sum is doubled.)
 #[logic(open)]
+#[ensures(forall<c: Real> #[trigger(times(int(2), c))] times(int(2), c) == int(2) * c)]
 pub fn bound(p: Params<Real>, x: Seq<Real>) -> Real {
-    int(x.len()) * (p.min + p.max)
+    times(int(x.len()), p.min + p.max)
 }
 
 /// How many placements beyond X^k the conclusion about step k reads.

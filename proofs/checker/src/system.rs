@@ -88,6 +88,9 @@ struct Builder<'k> {
 /// One step of the protocol with everybody updating.
 pub type Step = fn(&Params<Poly>, &State<Vec<Poly>>) -> State<Vec<Poly>>;
 
+/// The next value of the drone at a place of a row of indices, from the parameters of its step.
+type Next<'n> = dyn Fn(&Params<Poly>, &[Poly], usize) -> Result<Poly> + 'n;
+
 /// Adds the constants, functions and clauses of what runs, or of N alone; gives what it is and its hypothesis in words.
 ///
 /// # Errors
@@ -228,12 +231,7 @@ impl<'k> Builder<'k> {
 
     /// Adds, for each class and every step k, what f is at step k+1: the polynomial that `next` gives of the
     /// parameters, the weight being that of the drone looked at, the row of indices and the place in it.
-    fn step(
-        &mut self,
-        of: &str,
-        f: &str,
-        next: &dyn Fn(&Params<Poly>, &[Poly], usize) -> Result<Poly>,
-    ) -> Result<()> {
+    fn step(&mut self, of: &str, f: &str, next: &Next<'_>) -> Result<()> {
         for (class, at) in CLASSES {
             let row = self.row(at);
             let eps = self.weight.with(&|v| (v == "i").then(|| row[at].clone()));

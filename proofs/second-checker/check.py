@@ -46,15 +46,10 @@ DEFINITION = {
     "name": "text", "of?": ["text"], "from?": "text", "base?": ["text"], "step": "text", "scale?": {"by": "text", "sum": "text"},
 }
 HYPOTHESIS = {"theorem": "text", "form": "text"}
-SYSTEM = {
-    "protocol": "text", "steps": "text", "starts?": HYPOTHESIS, "drones?": "u32",
-    "weights?": {"of?": HYPOTHESIS, "from?": "number", "to?": "number"},
-}
-FAMILY = {
-    "topology": "text", "state": ["text"], "parameters?": {"*": {"from?": "number", "to?": "number"}}, "rules": {"*": {"*": "text"}}, "drones?": "u32",
-}
+SYSTEM = {"protocol": "text", "steps": "text", "weight?": "text", "weights?": HYPOTHESIS, "starts?": HYPOTHESIS, "drones?": "u32"}
 STATEMENT = {
-    "system?": SYSTEM, "family?": FAMILY, "constants?": {"*": "sort"}, "definitions?": [DEFINITION], "assumptions?": [CLAUSE], "conclusions": [CLAUSE],
+    "functions?": {"*": {"of": "u64", "to": "sort"}}, "system?": SYSTEM, "constants?": {"*": "sort"}, "definitions?": [DEFINITION], "assumptions?": [CLAUSE],
+    "conclusions": [CLAUSE],
 }
 POSITIVITY = {
     "use?": [{"name": "text", "lemma": "text", "with?": {"*": "text"}, "given?": {"*": "text"}}], "times?": ["text"], "sum": "text",
@@ -324,7 +319,7 @@ class Kernel:
 
     # -- names and clauses: (variables, given, goal)
     def fresh(self, name, variables=()):
-        if not re.fullmatch("[A-Za-z][A-Za-z0-9]*", name, re.A) or name == "last" or name in variables or name in self.constants or name in self.functions:
+        if not re.fullmatch("[A-Za-z][A-Za-z0-9]*", name, re.A) or name == "last" and self.last is not None or name in variables or name in self.constants or name in self.functions:
             raise Invalid("name", f"{name!r:.40} is no name, or taken")
         return name
 
@@ -504,75 +499,49 @@ def hypothesis(h):
     return WEIGHTS[h["theorem"]][form], STARTS.get(h["theorem"], ("segment", "bounded"))[form]
 
 
-def sized(kernel, n):
-    """N, or one N. Gives what reads a clause of integers from text and learns it."""
-    def learn(name, variables, given, goal):
-        given = [dict(zip(("name", "holds"), g.split(": "))) for g in given.split("; ") if g]
-        variables = [{"name": v, "sort": "integer"} for v in variables.split()]
-        kernel.learn(name, kernel.clause({"for": variables, "given": given, "goal": goal}))
-    if n is not None and n < 3:
+def install(kernel, s):
+    """What runs, or N agents of which nothing is known; `learn` reads a clause of integers from text."""
+    def learn(name, variables, given, goal, eps=None):
+        variables = dict.fromkeys(variables.split(), "integer")
+        given = {n: kernel.literal(holds, variables) for n, holds in (g.split(": ") for g in given.split("; ") if g)}
+        goal, relation = kernel.literal(goal, variables)
+        kernel.learn(name, (variables, given, (sub(goal, lambda a: eps if a == ("var", "eps") else None), relation)))
+
+    def constants(*names, sort="real"):
+        for name in names:
+            kernel.constants[kernel.fresh(name)] = sort
+
+    def function(name, arity, sort="real"):
+        kernel.functions[kernel.fresh(name)] = arity, sort
+    n = s and s.get("drones")
+    if n is None:
+        constants("last", sort="integer")
+    elif n < 3:
         raise Invalid("system", f"{n} drones: expected 3 or more")
     kernel.last = var("last") if n is None else const(n - 1)
-    if n is None:
-        kernel.constants["last"] = "integer"
     learn("n", "", "", "last - 2 >= 0")
     learn("last", "", "", "last > 0")
-    return learn
-
-
-def family(kernel, f):
-    learn = sized(kernel, f.get("drones"))
-    for name, ends in sorted(f.get("parameters", {}).items()):
-        kernel.constants[kernel.fresh(name)] = "real"
-        for end, sign in (("from", 1), ("to", -1)):
-            if end in ends:
-                bound = add(mul(const(sign), var(name)), const(sign * ends[end]), -1)
-                kernel.learn(f"{name}.{end}", ({}, {}, (bound, NONNEGATIVE)))
-    for name in f["state"]:
-        kernel.functions[kernel.fresh(name)] = 2, "real"
-    ring, i, integers = f["topology"] == "ring", var("i"), {"k": "integer", "i": "integer"}
-    classes = {"all"} if ring else {"first", "inner", "last"}
-    if f["topology"] not in ("line", "ring") or set(f["rules"]) != classes or any(v not in f["state"] for r in f["rules"].values() for v in r):
-        raise Invalid("system", "no such topology, classes or variables")
-    for c, own, before, beyond in (("first", {}, kernel.last if ring else None, const(1)), ("inner", i, add(i, const(-1)), add(i, const(1))),
-                                   ("last", kernel.last, add(kernel.last, const(-1)), {} if ring else None)):
-        places = {key(add(i, const(o))): at for o, at in ((-1, before), (0, own), (1, beyond)) if at is not None}
-        for name in f["state"]:
-            rule = kernel.poly(f["rules"]["all" if ring else c].get(name, f"{name}(k,i)"), integers)
-
-            def at(a):
-                if a[0] == "app":
-                    if a[2][0] != key(var("k")) or a[2][1] not in places:
-                        raise Invalid("system", "another agent or step")
-                    return app(a[1], var("k"), places[a[2][1]])
-                return own if a == ("var", "i") else None
-            goal = add(app(name, add(var("k"), const(1)), own), sub(rule, at), -1)
-            given = {g.split(":")[0]: kernel.literal(g.split(": ")[1], integers) for g in (INNER if c == "inner" else "k: k >= 0").split("; ")}
-            kernel.learn(f"step.{name}.{c}", ({v: "integer" for v in (("k", "i") if c == "inner" else ("k",))}, given, (goal, ZERO)))
-
-
-def install(kernel, s):
+    if s is None:
+        return
     protocol, steps = s["protocol"], s["steps"]
+    constants("eps")
+    weight = kernel.poly(s.get("weight", "eps"), {"k": "integer", "i": "integer"})
     if (protocol, steps) not in {("coverage", "full"), ("coverage", "activation"), ("coverage", "delay"), ("consensus", "full"), ("projection", "full")}:
         raise Invalid("system", "no such protocol")
-    learn = sized(kernel, s.get("drones"))
-    kernel.constants["eps"] = "real"
-    kernel.functions["x"] = 2, "real"
+    if "weight" in s and protocol == "projection":
+        raise Invalid("system", "a projection of weight eps is expected")
+    function("x", 2)
     if protocol != "consensus":
-        kernel.constants.update(min="real", max="real")
+        constants("min", "max")
         learn("segment", "", "", "max - min > 0")
-    weights = s.get("weights", {})
-    for end, sign in (("from", 1), ("to", -1)):
-        if end in weights:
-            kernel.lemmas[f"weight.{end}"] = {}, {}, (add(mul(const(sign), var("eps")), const(sign * weights[end]), -1), NONNEGATIVE)
-    if "of" in weights:
-        kind = hypothesis(weights["of"])[0]
+    if "weights" in s:
+        kind = hypothesis(s["weights"])[0]
         for name, goal in zip(("weight.low", "weight.high"), RANGES[kind]):
             learn(name, "", "", goal)
         if kind == "halfone":
             learn("weight.four", "", "four: last - 3 >= 0", "1 - 2*eps >= 0")
         if kind == "critical":
-            kernel.functions["minor"] = 1, "real"
+            function("minor", 1)
             learn("minor.0", "", "", "minor(0) = 0")
             learn("minor.1", "", "", "minor(1) = 1")
             learn("minor.step", "i", "i: i - 1 >= 0; n: last - i - 1 >= 0", "minor(i+1) = 2*(1 - eps)*minor(i) - eps*eps*minor(i-1)")
@@ -581,12 +550,12 @@ def install(kernel, s):
     near = average.format("x(k,i-1)", "x(k,i+1)")
     first, inner, last = "min", near, "max"
     if steps == "activation":
-        kernel.functions["active"] = 2, "integer"
+        function("active", 2, "integer")
         learn("active.low", "k i", "", "active(k,i) >= 0")
         learn("active.high", "k i", "", "1 - active(k,i) >= 0")
         first, inner, last = (f"active(k,{i})*({p}) + (1 - active(k,{i}))*x(k,{i})" for i, p in (("0", "min"), ("i", near), ("last", "max")))
     if steps == "delay":
-        kernel.functions["seen"] = 3, "integer"
+        function("seen", 3, "integer")
         learn("seen.low", "k i j", "k: k >= 0", "seen(k,i,j) >= 0")
         learn("seen.high", "k i j", "k: k >= 0", "k - seen(k,i,j) >= 0")
         inner = average.format("x(seen(k,i,i-1),i-1)", "x(seen(k,i,i+1),i+1)")
@@ -594,10 +563,12 @@ def install(kernel, s):
         first, inner, last = "x(k,0) + eps*(x(k,1) - x(k,0))", near, "x(k,last) + eps*(x(k,last-1) - x(k,last))"
 
     def by_class(name, f, first, inner, last):
-        for c, i, p in (("first", "0", first), ("inner", "i", inner), ("last", "last", last)):
-            learn(f"{name}.{c}", "k i" if c == "inner" else "k", INNER if c == "inner" else "k: k >= 0", f"{f}(k+1,{i}) = {p}")
+        for c, i, p, at in (("first", "0", first, {}), ("inner", "i", inner, var("i")), ("last", "last", last, kernel.last)):
+            own = sub(weight, lambda a: at if a == ("var", "i") else None)
+            learn(f"{name}.{c}", "k i" if c == "inner" else "k", INNER if c == "inner" else "k: k >= 0", f"{f}(k+1,{i}) = {p}", own)
     if protocol == "projection":
-        kernel.functions.update(own=(2, "real"), prec=(2, "real"), foll=(2, "real"), moves=(1, "real"))
+        for name, arity in (("own", 2), ("prec", 2), ("foll", 2), ("moves", 1)):
+            function(name, arity)
 
         def ticks(f, i, p):
             return f"moves(k)*({p}) + (1 - moves(k))*{f}(k,{i})"
@@ -626,9 +597,9 @@ def install(kernel, s):
 
 def theorem(t):
     kernel, s, proof = Kernel(), t["statement"], t["proof"]
-    if ("system" in s) == ("family" in s):
-        raise Invalid("system", "`system` or `family` is expected")
-    install(kernel, s["system"]) if "system" in s else family(kernel, s["family"])
+    for name, f in sorted(s.get("functions", {}).items()):
+        kernel.functions[kernel.fresh(name)] = f["of"], f["to"]
+    install(kernel, s.get("system"))
     for name, sort in sorted(s.get("constants", {}).items()):
         kernel.constants[kernel.fresh(name)] = sort
     for d in s.get("definitions", []):

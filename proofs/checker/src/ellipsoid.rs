@@ -58,7 +58,7 @@ pub fn ellipsoid(c: &Ellipsoid) -> Result<Shown> {
     let mut nodes = BTreeMap::new();
     for (name, node) in &c.nodes.0 {
         let matrix = symmetric(RULE, &node.matrix, size)?;
-        let fits = node.centre.len() == size && definite(matrix.clone(), true);
+        let fits = node.centre.len() == size && definite(&matrix, true);
         let what = "a centre and a positive definite matrix are expected";
         ensure!(fits, RULE, "node `{name:.40}`: {what}");
         nodes.insert(name.as_str(), (&node.centre, matrix));
@@ -74,7 +74,7 @@ pub fn ellipsoid(c: &Ellipsoid) -> Result<Shown> {
         for (i, point) in c.points.iter().enumerate() {
             let away = point.iter().zip(*centre).map(|(p, q)| p.clone() - q).collect();
             let there = bordered(matrix.clone(), away, Number::whole(1));
-            let inside = point.len() == size && definite(there, false);
+            let inside = point.len() == size && definite(&there, false);
             ensure!(inside, RULE, "point {i} of the start is not in `{name:.40}`");
         }
     }
@@ -93,7 +93,11 @@ pub fn ellipsoid(c: &Ellipsoid) -> Result<Shown> {
         let made = system.rows(&edge.by)?;
         let rows: Vec<Poly> =
             names.iter().map(|n| made.get(n.as_str()).cloned().unwrap_or_default()).collect();
-        let moved = |a: &Number, b: &Number| rate.clone() * &(b.clone() - a);
+        let moved = |(a, b): (&Vector, &Vector)| -> Vector {
+            a.iter().zip(b).map(|(a, b)| rate.clone() * &(b.clone() - a)).collect()
+        };
+        let drift = moved((from.0, to.0));
+        let change: Matrix = from.1.iter().zip(&to.1).map(moved).collect();
         let ends = if edge.time.is_some() { vec![from, to] } else { vec![from] };
         for (vertex, rows) in system.vertices(&rows)?.iter().enumerate() {
             let (b, a): (Vector, Matrix) = rows.iter().map(|row| coefficients(row, names)).unzip();
@@ -101,15 +105,13 @@ pub fn ellipsoid(c: &Ellipsoid) -> Result<Shown> {
                 let aq = product(&a, matrix);
                 let entry = |i: usize, j: usize| {
                     let decay = edge.decay.clone() * &matrix[i][j];
-                    let inward = aq[i][j].clone() + &aq[j][i] + &decay;
-                    moved(&from.1[i][j], &to.1[i][j]) - &inward
+                    change[i][j].clone() - &(aq[i][j].clone() + &aq[j][i] + &decay)
                 };
-                let column =
-                    |i: usize| moved(&from.0[i], &to.0[i]) - &(b[i].clone() + &dot(&a[i], centre));
-                let all = (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect();
+                let column = |i: usize| drift[i].clone() - &(b[i].clone() + &dot(&a[i], centre));
+                let all = (0..size).map(|i| (0..=i).map(|j| entry(i, j)).collect()).collect();
                 let minus = bordered(all, (0..size).map(column).collect(), edge.decay.clone());
                 let place = format!("edge {}: vertex {vertex}, end {end}", path(edge));
-                ensure!(definite(minus, false), RULE, "{place}: a run may leave the ellipsoid");
+                ensure!(definite(&minus, false), RULE, "{place}: a run may leave the ellipsoid");
                 proved += 1;
             }
         }

@@ -17,6 +17,12 @@ pub enum Sort {
     Real,
 }
 
+impl fmt::Display for Sort {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if *self == Self::Integer { "integer" } else { "real" })
+    }
+}
+
 /// What is said of a polynomial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Relation {

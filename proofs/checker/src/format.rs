@@ -123,27 +123,19 @@ objects! {
     File { schema: String, certificate: Kind }
     /// What is proved, and why.
     Theorem { statement: Statement, proof: Proofs }
-    /// What is proved: of every run of the system (of the spec, or a user's family), for every value of the constants, that the
+    /// What is proved: of every run of the system, for all functions and constants that the
     /// assumptions hold of, the conclusions do; in words of the functions defined.
     Statement {
         conclusions: Vec<Clause>;
-        constants: Named<Sort>, definitions: Vec<Definition>, assumptions: Vec<Clause>; system: System, family: Family
+        functions: Named<Function>, constants: Named<Sort>, definitions: Vec<Definition>, assumptions: Vec<Clause>; system: System
     }
-    /// What runs: `coverage`, `consensus` or `projection`, in `full` steps, with `activation` or `delay`; the theorem whose starts are
-    /// meant, and one N in the place of every N >= 3.
-    System { protocol: String, steps: String; weights: Weights; starts: Hypothesis, drones: u32 }
-    /// A user's protocol of any number of agents on a `line` or a `ring`, or of just so many: the variables of each agent, constants, and for
-    /// each class of agents what its variables are after a step.
-    Family {
-        topology: String, state: Vec<String>, rules: Named<Named<String>>; parameters: Named<Range>; drones: u32
-    }
-    /// A closed range, without an end where nothing is given.
-    Range { ;; from: Number, to: Number }
+    /// What runs: `coverage`, `consensus` or `projection`, in `full` steps, with `activation` or `delay`; the weight of drone i in step
+    /// k, if it is not `eps`; the theorems whose weights and starts are meant, and one N in the place of every N >= 3.
+    System { protocol: String, steps: String;; weight: String, weights: Hypothesis, starts: Hypothesis, drones: u32 }
+    /// A function of so many integers, and what it gives.
+    Function { of: usize, to: Sort }
     /// The hypothesis of the theorem of that number, in its `paper` or `sharp` form.
     Hypothesis { theorem: String, form: String }
-    /// A range of weights: any, unless something is given.
-    #[derive(Default)]
-    Weights { ;; of: Hypothesis, from: Number, to: Number }
     /// A function by recursion on the last of its arguments, integers: where that starts, the first values, and the next
     /// value times a positive factor.
     Definition { name: String, step: String; of: Vec<String>, from: String, base: Vec<String>; scale: Scale }

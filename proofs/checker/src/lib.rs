@@ -25,7 +25,7 @@ use std::fmt;
 
 use cordon_spec::coverage::exec_coverage;
 use fault::{Fault, Result, Shown, fault};
-use format::{Kind, Theorem};
+use format::{Function, Kind, Theorem};
 use kernel::Kernel;
 use system::Step;
 
@@ -127,17 +127,18 @@ fn theorem(t: &Theorem, protocol: Step) -> (&str, Result<Shown>) {
 
 fn prove<'t>(t: &'t Theorem, protocol: Step, step: &mut &'t str) -> Result<Shown> {
     let (mut kernel, s) = (Kernel::default(), &t.statement);
-    let mut words = vec![match (&s.system, &s.family) {
-        (Some(system), None) => system::install(system, &mut kernel, protocol)?,
-        (None, Some(family)) => system::family(family, &mut kernel)?,
-        _ => return fault("system", "expected `system`, or `family`"),
-    }];
+    for (name, f) in &s.functions.0 {
+        kernel.function(name, f.of, f.to)?;
+    }
+    let mut words = vec![system::install(s.system.as_ref(), &mut kernel, protocol)?];
+    for (name, f) in &s.functions.0 {
+        let Function { of, to } = f;
+        let met = "that meets what is assumed, if there is one";
+        words.push(format!("for every {to} function {name} of arity {of} {met}"));
+    }
     for (name, sort) in &s.constants.0 {
         kernel.constant(name, *sort)?;
-        words.push(format!(
-            "for every {} {name}",
-            if *sort == expr::Sort::Integer { "integer" } else { "real" }
-        ));
+        words.push(format!("for every {sort} {name}"));
     }
     for d in &s.definitions {
         words.push(format!("where {}", kernel.define(d)?));

@@ -17,16 +17,26 @@ pub fn symmetric(rule: &'static str, triangle: &[Vec<Number>], size: usize) -> R
     Ok((0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect())
 }
 
+/// A number above 0 that makes all of a matrix integers, and those: integers are cheaper than fractions.
+fn integers(m: &Matrix) -> (Number, Matrix) {
+    let entries = m.iter().flatten().filter(|x| !x.is_integer());
+    let scale = entries.fold(Number::whole(1), |d, x| (d.clone() * x).denominator() * &d);
+    let whole = |row: &Vec<Number>| row.iter().map(|x| scale.clone() * x).collect();
+    (scale.clone(), m.iter().map(whole).collect())
+}
+
 /// The product of two matrices; zeros cost nothing.
 pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
+    let ((over_a, a), (over_b, b)) = (integers(a), integers(b));
+    let scale = over_a * &over_b;
     let row = |row: &Vec<Number>| {
         let mut sum = vec![Number::whole(0); b.first().map_or(0, Vec::len)];
-        for (x, line) in row.iter().zip(b).filter(|(x, _)| !x.is_zero()) {
+        for (x, line) in row.iter().zip(&b).filter(|(x, _)| !x.is_zero()) {
             for (sum, y) in sum.iter_mut().zip(line).filter(|(_, y)| !y.is_zero()) {
                 *sum = sum.clone() + &(x.clone() * y);
             }
         }
-        sum
+        sum.iter().map(|x| x.over(&scale).unwrap_or_else(|| Number::whole(0))).collect()
     };
     a.iter().map(row).collect()
 }
@@ -43,13 +53,10 @@ pub fn dot(a: &[Number], b: &[Number]) -> Number {
     a.iter().zip(b).fold(Number::whole(0), |sum, (x, y)| sum + &(x.clone() * y))
 }
 
-/// The matrix with one more row and column: m, then column and corner.
-pub fn bordered(mut m: Matrix, mut column: Vec<Number>, corner: Number) -> Matrix {
-    for (row, x) in m.iter_mut().zip(&column) {
-        row.push(x.clone());
-    }
-    column.push(corner);
-    m.push(column);
+/// The lower triangle of a symmetric matrix with one more row.
+pub fn bordered(mut m: Matrix, mut row: Vec<Number>, corner: Number) -> Matrix {
+    row.push(corner);
+    m.push(row);
     m
 }
 
@@ -59,21 +66,33 @@ pub fn difference(c: &Number, a: &Matrix, b: &Matrix) -> Matrix {
     a.iter().zip(b).map(|(a, b)| a.iter().zip(b).map(entry).collect()).collect()
 }
 
-/// Whether x'mx >= 0 for every x (> 0 but for x = 0), m being symmetric: by elimination.
-pub fn definite(mut m: Matrix, strictly: bool) -> bool {
+/// Whether x'mx >= 0 for every x (> 0 but for x = 0), m being symmetric (its lower triangle is enough): by elimination without
+/// fractions (Bareiss), in which all entries stay minors of the integers that it begins with.
+pub fn definite(m: &Matrix, strictly: bool) -> bool {
+    let (_, mut m) = integers(m);
+    let mut before = Number::whole(1);
     for k in 0..m.len() {
-        let pivot = m[k][k].clone();
-        if exhausted() || pivot < Number::whole(0) || (strictly && pivot.is_zero()) {
+        let column: Vec<Number> = m[k..].iter().map(|row| row[k].clone()).collect();
+        let (pivot, below) = (&column[0], &column[1..]);
+        if exhausted() || *pivot < Number::whole(0) || (strictly && pivot.is_zero()) {
             return false;
         }
-        let column: Vec<Number> = m.iter().map(|row| row[k].clone()).collect();
-        for (i, row) in m.iter_mut().enumerate().skip(k + 1).filter(|(_, row)| !row[k].is_zero()) {
+        if pivot.is_zero() {
             // An entry beside a zero on the diagonal: a form of both signs.
-            let Some(factor) = row[k].clone().over(&pivot) else { return false };
-            for (x, y) in row[k + 1..=i].iter_mut().zip(&column[k + 1..]) {
-                *x = x.clone() - &(factor.clone() * y);
+            if below.iter().any(|x| !x.is_zero()) {
+                return false;
+            }
+            continue;
+        }
+        for (i, (row, factor)) in m[k + 1..].iter_mut().zip(below).enumerate() {
+            for (x, y) in row[k + 1..].iter_mut().zip(&below[..=i]) {
+                let taken = if y.is_zero() { y.clone() } else { factor.clone() * y };
+                if !x.is_zero() || !taken.is_zero() {
+                    *x = (pivot.clone() * x - &taken).divided(&before);
+                }
             }
         }
+        before = pivot.clone();
     }
     true
 }

@@ -115,6 +115,16 @@ impl Number {
         (!other.is_zero()).then(|| self.charged(other, || &self.0 / &other.0))
     }
 
+    /// The quotient of integers that is one, `other` not being 0.
+    pub fn divided(&self, other: &Self) -> Self {
+        self.charged(other, || Rational::from_integer(self.0.numer() / other.0.numer()))
+    }
+
+    /// The denominator in lowest terms.
+    pub fn denominator(&self) -> Self {
+        Self(Rational::from_integer(self.0.denom().clone()))
+    }
+
     /// Numerator and denominator in words of 64 bits, each rounded down.
     fn words(&self) -> u64 {
         self.0.numer().bits() / 64 + self.0.denom().bits() / 64

@@ -62,7 +62,7 @@ pub fn quadratic(c: &Quadratic) -> Result<Shown> {
             ensure!(is, RULE, "mode `{mode:.40}`: row {j} of the map {what}");
         }
         let (measures, how) = match &start {
-            None => (definite(form.clone(), true), "the matrix is not positive definite"),
+            None => (definite(form, true), "the matrix is not positive definite"),
             Some(y) => {
                 (congruent(y, form)[0][0].is_positive(), "the form is not above 0 at the start")
             }
@@ -81,7 +81,7 @@ pub fn quadratic(c: &Quadratic) -> Result<Shown> {
                     }
                     None => (difference(&Number::whole(1), &moved, form), "may fall"),
                 };
-                let kept = definite(left, false);
+                let kept = definite(&left, false);
                 ensure!(kept, RULE, "mode `{mode:.40}`: vertex {vertex}: the form {way}");
                 proved += 1;
             }

@@ -6,7 +6,6 @@
 //! that the spec's own step, run on a row of symbols around one member, is the step of all.
 //! The checker's tests confirm that by execution for every i and N up to 16.
 
-use std::collections::BTreeSet;
 use std::num::NonZeroU32;
 
 use cordon_spec::activation::exec_coverage_active;
@@ -18,12 +17,11 @@ use cordon_spec::local::{LocalParams, TickRatio, exchange, fmu_tick, project};
 use cordon_spec::theorems::{Form, StartSet, Theorem, WeightRange};
 use cordon_spec::{Params, Scalar, State};
 
-use crate::expr::Relation::{NonNegative, Zero};
+use crate::expr::Relation::Zero;
 use crate::expr::{Literal, Sort, Vars};
 use crate::fault::{Result, ensure, fault};
-use crate::format::{Family, Range, System};
+use crate::format::System;
 use crate::kernel::{Clause, Facts, Kernel};
-use crate::number::Number;
 use crate::poly::{Atom, Poly};
 
 /// Drones in a row of symbols: two on either side of the one looked at.
@@ -83,158 +81,95 @@ struct Builder<'k> {
     kernel: &'k mut Kernel,
     last: Poly,
     words: Vec<String>,
-    /// Whether clauses that are added are said in words.
-    told: bool,
+    /// The weight of drone i in step k.
+    weight: Poly,
 }
 
 /// One step of the protocol with everybody updating.
 pub type Step = fn(&Params<Poly>, &State<Vec<Poly>>) -> State<Vec<Poly>>;
 
-/// Adds the system's constants, functions and clauses; gives its hypothesis in words.
+/// The next value of the drone at a place of a row of indices, from the parameters of its step.
+type Next<'n> = dyn Fn(&Params<Poly>, &[Poly], usize) -> Result<Poly> + 'n;
+
+/// Adds the constants, functions and clauses of what runs, or of N alone; gives what it is and its hypothesis in words.
 ///
 /// # Errors
 /// What is not known, or contradicts itself.
-pub fn install(system: &System, kernel: &mut Kernel, step: Step) -> Result<String> {
-    let mut b = Builder::new(system.drones, kernel)?;
-    b.constant("eps", Sort::Real);
-    b.function("x", 2, Sort::Real);
-    if system.protocol != "consensus" {
-        b.constant("min", Sort::Real);
-        b.constant("max", Sort::Real);
-        b.say(&[["segment", "", "", "max > min"]])?;
-    }
-    b.within("weight", "eps", &system.weights.from, &system.weights.to)?;
-    if let Some(of) = &system.weights.of {
-        let (theorem, form) = named(&of.theorem, &of.form)?;
-        b.weights(theorem.hypothesis(form).weights)?;
-    }
-    if let Some(h) = &system.starts {
-        ensure!(system.protocol != "consensus", "system", "starts of coverage only");
-        let (theorem, form) = named(&h.theorem, &h.form)?;
-        b.say(&STARTS[..2])?;
-        b.say(match theorem.hypothesis(form).starts {
-            StartSet::Any => &[],
-            StartSet::Ordered => &STARTS[2..3],
-            StartSet::FirstSubsegment => &STARTS[2..4],
-            StartSet::UpperBounded => &STARTS[4..],
-        })?;
-    }
-    // What the spec does is not repeated in words.
-    b.told = false;
-    match (system.protocol.as_str(), system.steps.as_str()) {
-        ("coverage", steps) => b.coverage(steps, step)?,
-        ("consensus", "full") => b.step("step", "x", &|row, at| {
-            let path = Path { count: ROW };
-            Ok(exec_consensus(&var("eps"), &path, &positions("x", row))[at].clone())
-        })?,
-        ("projection", "full") => b.projection()?,
-        _ => return fault("system", "expected `coverage`, `consensus` or `projection`"),
-    }
-    Ok(b.said(&format!("{} with {} steps", system.protocol, system.steps), system.drones))
-}
-
-/// Adds a user's system: its constants and functions, a range for each constant, and for each class of
-/// agents a clause a variable. A rule speaks of agent i and its neighbours i-1 and i+1 at step k. On a line the first
-/// and the last have one neighbour; on a ring the last is the one before the first, and the rule is the same for all.
-///
-/// # Errors
-/// What is not known, or speaks of other agents.
-pub fn family(f: &Family, kernel: &mut Kernel) -> Result<String> {
-    let mut b = Builder::new(f.drones, kernel)?;
-    for (name, Range { from, to }) in &f.parameters.0 {
-        b.kernel.constant(name, Sort::Real)?;
-        b.within(name, name, from, to)?;
-    }
-    for name in &f.state {
-        b.kernel.fresh(name, &Vars::new())?;
-        b.function(name, 2, Sort::Real);
-    }
-    let classes = match f.topology.as_str() {
-        "line" => CLASSES.map(|(class, _)| class),
-        "ring" => ["all"; 3],
-        _ => return fault("system", "expected `line` or `ring`"),
+pub fn install(system: Option<&System>, kernel: &mut Kernel, step: Step) -> Result<String> {
+    let drones = system.and_then(|s| s.drones);
+    let (last, count) = match drones {
+        None => (var("last"), "every N >= 3".to_owned()),
+        Some(n @ 3..) => (Poly::from_index(n as usize - 1), format!("N = {n}")),
+        Some(n) => return fault("system", format!("{n} drones: expected 3 or more")),
     };
-    let ring = f.topology == "ring";
-    let classes_of = if ring { "all" } else { "first, inner, last" };
-    let complete = BTreeSet::from(classes).into_iter().eq(f.rules.0.keys().map(String::as_str));
-    let functions = &b.kernel.signature.functions;
-    let variables =
-        f.rules.0.values().flat_map(|r| r.0.keys()).all(|v| functions.contains_key(v.as_str()));
-    ensure!(complete && variables, "system", "expected rules for {classes_of}, of variables");
-    let (k, i, one, last) = (var("k"), var("i"), int(1), b.last.clone());
-    let vars = ["k", "i"].map(|v| (v.into(), Sort::Integer)).to_vec();
-    for name in &f.state {
-        let kept = format!("{name}(k,i)");
-        let read = |class| {
-            let text = f.rules.0.get(class).and_then(|r| r.0.get(name)).unwrap_or(&kept);
-            Ok((text, b.kernel.signature.poly(text, &vars, false)?))
-        };
-        let rules = classes.into_iter().map(read).collect::<Result<Vec<_>>>()?;
-        b.step(&format!("step.{name}"), name, &|row, at| {
-            let own = &row[at];
-            // Where agent i, and where its neighbours are.
-            let before = if at > 0 { Some(own.clone() - &one) } else { ring.then(|| last.clone()) };
-            let beyond = if at < ROW - 1 { Some(own.clone() + &one) } else { ring.then(|| int(0)) };
-            let places = [
-                (i.clone() - &one, before),
-                (i.clone(), Some(own.clone())),
-                (i.clone() + &one, beyond),
-            ];
-            let place = |a: &Atom| match a {
-                Atom::App(f, terms) if terms[0] == k => {
-                    let found = places.iter().find(|(written, _)| *written == terms[1])?;
-                    Some(Poly::app(f, &[k.clone(), found.1.clone()?]))
-                }
-                _ => None,
-            };
-            let (text, rule) = &rules[at / 2];
-            let strange = rule.any(&|a| matches!(a, Atom::App(..)) && place(a).is_none());
-            ensure!(!strange, "system", "`{text:.60}` speaks of other agents or steps");
-            let own_index = |a: &Atom| (*a == Atom::Var("i".into())).then(|| own.clone());
-            Ok(rule.substitute(&|a| place(a).or_else(|| own_index(a))))
-        })?;
+    if drones.is_none() {
+        kernel.constant("last", Sort::Integer)?;
     }
-    Ok(b.said(&format!("agents on a {}", f.topology), f.drones))
+    kernel.signature.last = Some(last.clone());
+    let mut b = Builder { kernel, last, words: Vec::new(), weight: var("eps") };
+    b.say(&[["n", "", "", "last - 2 >= 0"], ["last", "", "", "last > 0"]])?;
+    b.words.clear();
+    let what = match system {
+        None => "a system of agents".to_owned(),
+        Some(system) => b.protocol(system, step)?,
+    };
+    let hypothesis = match b.words.as_slice() {
+        [] => String::new(),
+        words => format!("\n  given: {}", words.join("; ")),
+    };
+    Ok(format!("{what}, {count}, last = N - 1{hypothesis}"))
 }
 
 impl<'k> Builder<'k> {
-    /// N, or one N, and nothing that runs yet.
-    fn new(drones: Option<u32>, kernel: &'k mut Kernel) -> Result<Self> {
-        let last = match drones {
-            None => var("last"),
-            Some(n @ 3..) => Poly::from_index(n as usize - 1),
-            Some(n) => return fault("system", format!("{n} drones: expected 3 or more")),
-        };
-        kernel.signature.last = Some(last.clone());
-        let mut b = Self { kernel, last, words: Vec::new(), told: false };
-        if drones.is_none() {
-            b.constant("last", Sort::Integer);
+    /// Adds a protocol of the spec.
+    fn protocol(&mut self, system: &System, step: Step) -> Result<String> {
+        self.kernel.constant("eps", Sort::Real)?;
+        if let Some(weight) = &system.weight {
+            let vars = ["k", "i"].map(|v| (v.into(), Sort::Integer)).to_vec();
+            self.weight = self.kernel.signature.poly(weight, &vars, false)?;
         }
-        b.say(&[["n", "", "", "last - 2 >= 0"], ["last", "", "", "last > 0"]])?;
-        b.told = true;
-        Ok(b)
-    }
-
-    /// The system in words.
-    fn said(&self, what: &str, drones: Option<u32>) -> String {
-        let drones = drones.map_or("every N >= 3".into(), |n| format!("N = {n}"));
-        let hypothesis = match self.words.as_slice() {
-            [] => String::new(),
-            words => format!("\n  given: {}", words.join("; ")),
+        self.kernel.function("x", 2, Sort::Real)?;
+        if system.protocol != "consensus" {
+            self.kernel.constant("min", Sort::Real)?;
+            self.kernel.constant("max", Sort::Real)?;
+            self.say(&[["segment", "", "", "max > min"]])?;
+        }
+        if let Some(of) = &system.weights {
+            let (theorem, form) = named(&of.theorem, &of.form)?;
+            self.weights(theorem.hypothesis(form).weights)?;
+        }
+        if let Some(of) = &system.starts {
+            ensure!(system.protocol != "consensus", "system", "starts of coverage only");
+            let (theorem, form) = named(&of.theorem, &of.form)?;
+            self.say(&STARTS[..2])?;
+            self.say(match theorem.hypothesis(form).starts {
+                StartSet::Any => &[],
+                StartSet::Ordered => &STARTS[2..3],
+                StartSet::FirstSubsegment => &STARTS[2..4],
+                StartSet::UpperBounded => &STARTS[4..],
+            })?;
+        }
+        // What the spec does is not repeated in words.
+        let told = self.words.len();
+        match (system.protocol.as_str(), system.steps.as_str()) {
+            ("coverage", steps) => self.coverage(steps, step)?,
+            ("consensus", "full") => self.step("step", "x", &|p, row, at| {
+                let path = Path { count: ROW };
+                Ok(exec_consensus(&p.eps, &path, &positions("x", row))[at].clone())
+            })?,
+            ("projection", "full") if system.weight.is_none() => self.projection()?,
+            _ => return fault("system", "expected `coverage`, `consensus` or `projection`"),
+        }
+        self.words.truncate(told);
+        let weight = match &system.weight {
+            None => String::new(),
+            Some(_) => format!(" of weight {}", self.weight),
         };
-        format!("{what}, {drones}, last = N - 1{hypothesis}")
-    }
-
-    fn constant(&mut self, name: &str, sort: Sort) {
-        self.kernel.signature.constants.insert(name.into(), sort);
-    }
-
-    fn function(&mut self, name: &str, arity: usize, sort: Sort) {
-        self.kernel.signature.functions.insert(name.into(), (arity, sort));
+        Ok(format!("{} with {} steps{weight}", system.protocol, system.steps))
     }
 
     fn add(&mut self, name: &str, clause: Clause) -> Result<()> {
-        if self.told && !clause.is_vacuous() {
+        if !clause.is_vacuous() {
             self.words.push(clause.to_string());
         }
         self.kernel.add(name, clause)
@@ -260,24 +195,6 @@ impl<'k> Builder<'k> {
         Ok(())
     }
 
-    /// Adds that a constant is in a range.
-    fn within(
-        &mut self,
-        of: &str,
-        name: &str,
-        from: &Option<Number>,
-        to: &Option<Number>,
-    ) -> Result<()> {
-        let at = |n: &Number| Poly::constant(n.clone());
-        let low = from.as_ref().map(|n| ("from", var(name) - &at(n)));
-        let high = to.as_ref().map(|n| ("to", at(n) - &var(name)));
-        for (end, poly) in low.into_iter().chain(high) {
-            let goal = Literal { poly, relation: NonNegative };
-            self.add(&format!("{of}.{end}"), Clause::fact(goal))?;
-        }
-        Ok(())
-    }
-
     /// The range of weights in literals; that below the critical weight by the leading minors of the spec's
     /// `below_critical`: minor(i) is the one of i - 1 rows.
     fn weights(&mut self, range: WeightRange) -> Result<()> {
@@ -289,7 +206,7 @@ impl<'k> Builder<'k> {
             WeightRange::UpToHalf => ("eps >= 0", "1 - 2*eps >= 0"),
             WeightRange::PositiveUpToHalf => ("eps > 0", "1 - 2*eps >= 0"),
             WeightRange::BelowCritical => {
-                self.function("minor", 1, Sort::Real);
+                self.kernel.function("minor", 1, Sort::Real)?;
                 return self.say(&BELOW_CRITICAL);
             }
         };
@@ -313,17 +230,14 @@ impl<'k> Builder<'k> {
     }
 
     /// Adds, for each class and every step k, what f is at step k+1: the polynomial that `next` gives of the
-    /// row of indices and the place in it.
-    fn step(
-        &mut self,
-        of: &str,
-        f: &str,
-        next: &dyn Fn(&[Poly], usize) -> Result<Poly>,
-    ) -> Result<()> {
+    /// parameters, the weight being that of the drone looked at, the row of indices and the place in it.
+    fn step(&mut self, of: &str, f: &str, next: &Next<'_>) -> Result<()> {
         for (class, at) in CLASSES {
             let row = self.row(at);
+            let eps = self.weight.with(&|v| (v == "i").then(|| row[at].clone()));
+            let params = Params { min: var("min"), max: var("max"), eps, n: 0 };
             let now = Poly::app(f, &[var("k") + &int(1), row[at].clone()]);
-            let goal = Literal { poly: now - &next(&row, at)?, relation: Zero };
+            let goal = Literal { poly: now - &next(&params, &row, at)?, relation: Zero };
             let (vars, given) = if at == 2 { ("k i", INNER) } else { ("k", "k: k >= 0") };
             let (vars, given) = self.given(vars, given)?;
             self.add(&format!("{of}.{class}"), Clause { vars, given, goal })?;
@@ -332,23 +246,21 @@ impl<'k> Builder<'k> {
     }
 
     fn coverage(&mut self, steps: &str, step: Step) -> Result<()> {
-        let params = Params { min: var("min"), max: var("max"), eps: var("eps"), n: 0 };
         let state = |row: &[Poly]| State { drones: positions("x", row), timesteps: 0 };
         match steps {
             "full" => {
-                self.step("step", "x", &|row, at| Ok(step(&params, &state(row)).drones[at].clone()))
+                self.step("step", "x", &|p, row, at| Ok(step(p, &state(row)).drones[at].clone()))
             }
             "activation" => {
                 // active(k,i) = 1 where drone i updates in step k, 0 where it does not.
-                self.function("active", 2, Sort::Integer);
+                self.kernel.function("active", 2, Sort::Integer)?;
                 self.say(&[
                     ["active.low", "k i", "", "active(k,i) >= 0"],
                     ["active.high", "k i", "", "1 - active(k,i) >= 0"],
                 ])?;
-                self.step("step", "x", &|row, at| {
+                self.step("step", "x", &|p, row, at| {
                     let next = |yes: bool| {
-                        exec_coverage_active(&params, &state(row), |j| yes || j != at).drones[at]
-                            .clone()
+                        exec_coverage_active(p, &state(row), |j| yes || j != at).drones[at].clone()
                     };
                     let share = Poly::app("active", &[var("k"), row[at].clone()]);
                     Ok(mixed(&share, [next(true), next(false)]))
@@ -356,19 +268,18 @@ impl<'k> Builder<'k> {
             }
             "delay" => {
                 // Drone i sees drone j in step k where it was at step seen(k,i,j).
-                self.function("seen", 3, Sort::Integer);
+                self.kernel.function("seen", 3, Sort::Integer)?;
                 self.say(&[
                     ["seen.low", "k i j", "k: k >= 0", "seen(k,i,j) >= 0"],
                     ["seen.high", "k i j", "k: k >= 0", "k - seen(k,i,j) >= 0"],
                 ])?;
-                self.step("step", "x", &|row, at| {
+                self.step("step", "x", &|p, row, at| {
                     let seen = |j: &Poly| {
                         let when = Poly::app("seen", &[var("k"), row[at].clone(), j.clone()]);
                         Poly::app("x", &[when, j.clone()])
                     };
                     let late: Vec<Poly> = row.iter().map(seen).collect();
-                    Ok(exec_coverage_delayed(&params, &state(row), |_, j| &late[j]).drones[at]
-                        .clone())
+                    Ok(exec_coverage_delayed(p, &state(row), |_, j| &late[j]).drones[at].clone())
                 })
             }
             _ => fault("system", "expected `full`, `activation` or `delay`"),
@@ -382,7 +293,7 @@ impl<'k> Builder<'k> {
     /// `timesteps = n` say the same of every integer up to n, n being the quotient rounded up.
     fn projection(&mut self) -> Result<()> {
         for (name, arity) in [("own", 2), ("prec", 2), ("foll", 2), ("moves", 1)] {
-            self.function(name, arity, Sort::Real);
+            self.kernel.function(name, arity, Sort::Real)?;
         }
         let ratio = TickRatio { num: 3, den: NonZeroU32::MIN.saturating_add(1) };
         let n = ratio.counter_limit();
@@ -403,10 +314,10 @@ impl<'k> Builder<'k> {
         let [own, prec, foll] = ["own", "prec", "foll"].map(|f| field(f, var("k")));
         // In ticks that move, and in those that wait.
         let share = Poly::app("moves", &[var("k")]);
-        self.step("step", "x", &|row, at| {
+        self.step("step", "x", &|_, row, at| {
             Ok(mixed(&share, [n, n - 1].map(|t| tick(&p, global(row, t)).drones[at].clone())))
         })?;
-        self.step("own", "own", &|row, at| {
+        self.step("own", "own", &|_, row, at| {
             let moved = [n, n - 1]
                 .map(|t| fmu_tick(&local, machines(row, t, [&own, &prec, &foll])[at].clone()));
             let counted = [n, n - 1].map(|t| tick(&p, global(row, t)).timesteps);
@@ -418,8 +329,8 @@ impl<'k> Builder<'k> {
         let exchanged = |row: &[Poly], at: usize| {
             exchange(&machines(row, n, [&after, &prec, &foll]))[at].st.clone()
         };
-        self.step("prec", "prec", &|row, at| Ok(exchanged(row, at).prec))?;
-        self.step("foll", "foll", &|row, at| Ok(exchanged(row, at).foll))?;
+        self.step("prec", "prec", &|_, row, at| Ok(exchanged(row, at).prec))?;
+        self.step("foll", "foll", &|_, row, at| Ok(exchanged(row, at).foll))?;
         let start = |p: &Poly| p.substitute(&|a| (*a == Atom::Var("k".into())).then(Poly::default));
         for (class, at) in CLASSES {
             let row = self.row(at);

@@ -95,10 +95,9 @@ pub fn clause(name: &str, vars: &str, given: &[&str], goal: &str) -> Value {
 /// A certificate in the making.
 #[derive(Clone, Debug, Default)]
 pub struct Sheet {
-    /// What runs.
-    pub system: Value,
-    /// Whether that is a user's.
-    family: bool,
+    /// What runs, if it is a protocol of the spec.
+    pub system: Option<Value>,
+    functions: Map<String, Value>,
     constants: Map<String, Value>,
     definitions: Vec<Value>,
     assumptions: Vec<Value>,
@@ -110,7 +109,7 @@ pub struct Sheet {
 impl Sheet {
     /// A certificate about that system.
     pub fn new(system: Value) -> Self {
-        Self { system, ..Self::default() }
+        Self { system: Some(system), ..Self::default() }
     }
 
     /// A certificate about a protocol at any weight.
@@ -122,9 +121,9 @@ impl Sheet {
         Self::new(system)
     }
 
-    /// A certificate about a user's system of any size.
-    pub fn of_family(family: Value) -> Self {
-        Self { family: true, ..Self::new(family) }
+    /// Every function of so many integers to that sort is spoken of.
+    pub fn function(&mut self, name: &str, arity: usize, sort: &str) {
+        self.functions.insert(name.into(), json!({ "of": arity, "to": sort }));
     }
 
     /// Every value of that sort is spoken of.
@@ -169,10 +168,13 @@ impl Sheet {
     /// What it says.
     pub fn statement(&self) -> Value {
         let mut body = Map::new();
-        let key = if self.family { "family" } else { "system" };
-        body.insert(key.into(), self.system.clone());
-        if !self.constants.is_empty() {
-            body.insert("constants".into(), json!(self.constants));
+        if let Some(system) = &self.system {
+            body.insert("system".into(), system.clone());
+        }
+        for (key, all) in [("functions", &self.functions), ("constants", &self.constants)] {
+            if !all.is_empty() {
+                body.insert(key.into(), json!(all));
+            }
         }
         for (key, all) in [("definitions", &self.definitions), ("assumptions", &self.assumptions)] {
             if !all.is_empty() {

@@ -1,6 +1,6 @@
 //! What is left of the theorems where messages are late, drones wait, or the weight changes.
 
-use cordon_spec::theorems::Theorem;
+use cordon_spec::theorems::{Form, Theorem};
 use num_rational::BigRational as Rational;
 use serde_json::json;
 
@@ -107,48 +107,89 @@ pub fn limit_varying(scope: &Scope) -> Option<Sheet> {
 /// X_i <= T_i with another weight in each step.
 const BOUND: &str = include_str!("scripts/bound-varying.proof");
 
-/// One weight for all drones, another in each step, from the starts of a theorem or from any: of the projection the
-/// global run, in which the part of an update that a tick makes is any number. The scripts, each with what it is to say.
+/// One weight w(k) for all drones, another in each step, from the starts of a theorem or from any. The scripts, each with
+/// what it is to say.
 fn varying(scope: &Scope, theorem: Option<Theorem>, scripts: &[(&str, &str)]) -> Option<Sheet> {
-    let of = theorem.unwrap_or(Theorem::UpperBound);
-    let mut system = system(Some(of), scope, Steps::Full, theorem.is_some());
-    system["protocol"] = json!("projection");
-    if theorem.is_none() {
-        system["starts"] = json!({ "theorem": "7.8", "form": "sharp" });
-    }
-    let mut sheet = Sheet::new(system);
-    let known = weights(&mut sheet, of, scope);
-    let positive = matches!(of, Theorem::ConstantSum | Theorem::GloballyIncreasing);
+    let positive = matches!(theorem, Some(Theorem::ConstantSum | Theorem::GloballyIncreasing));
+    let mut sheet = weighted(scope, theorem, "w(k)")?;
     let least = [("relation", if positive { ">" } else { ">=" })];
     sheet.read(include_str!("scripts/varying.proof"), &least).ok()?;
     for (script, say) in scripts {
         let script = format!("{}{script}", include_str!("scripts/varying-weight.proof"));
         sheet.read(&script, &[("say", say)]).ok()?;
     }
-    (known.eps && known.half && (known.positive || !positive)).then_some(sheet)
+    Some(sheet)
+}
+
+/// The protocol with that weight of drone i in step k, from the starts of a theorem or any with the ends in place.
+fn weighted(scope: &Scope, theorem: Option<Theorem>, weight: &str) -> Option<Sheet> {
+    let any = Scope { form: Form::Sharp, ..scope.clone() };
+    let mut system = system(Some(theorem.unwrap_or(Theorem::Limit)), &any, Steps::Full, true);
+    let fields = system.as_object_mut()?;
+    fields.remove("weights");
+    fields.insert("weight".into(), json!(weight));
+    let mut sheet = Sheet::new(system);
+    ends(&mut sheet, Steps::Full)?;
+    scope.weights.is_none().then_some(sheet)
 }
 
 /// 7.2 where messages are lost, each way by itself, for any weights up to one below 1/2: strict order, the
 /// part 1 - 2 eps of each gap, the hull.
 pub fn ordering_with_losses(scope: &Scope) -> Option<Sheet> {
-    counted_down(scope, &["x", "a", "b"], include_str!("scripts/loss.proof"))
+    alone(scope, Sheet::default(), include_str!("scripts/loss.proof"))
 }
 
 /// 7.2 and 7.3 where each drone has a weight of its own in each step, any from 0 to 1/2.
 pub fn gaps_held(scope: &Scope) -> Option<Sheet> {
-    counted_down(scope, &["x", "w"], include_str!("scripts/hold.proof"))
+    let mut sheet = weighted(scope, None, "w(k,i)")?;
+    sheet.read(include_str!("scripts/hold.proof"), &[]).ok()?;
+    Some(sheet)
 }
 
-/// A line of agents of whose steps, counted downwards from 0, nothing is known but what the script assumes.
-fn counted_down(scope: &Scope, state: &[&str], script: &str) -> Option<Sheet> {
-    let nothing = json!({ "first": {}, "inner": {}, "last": {} });
-    let mut family = json!({ "topology": "line", "state": state, "rules": nothing });
-    if let Some(n) = scope.drones {
-        family["drones"] = json!(n);
-    }
-    let mut sheet = Sheet::of_family(family);
+/// Strict order where each drone has a weight of its own and those of neighbours add up to 1 at most.
+pub fn ordering_held(scope: &Scope) -> Option<Sheet> {
+    let script = include_str!("scripts/hold-sums.proof");
+    let mut sheet = weighted(scope, Some(Theorem::Ordering), "w(k,i)")?;
     sheet.read(script, &[]).ok()?;
-    scope.weights.is_none().then_some(sheet)
+    Some(sheet)
+}
+
+/// There is none where they add up to more.
+pub fn ordering_held_exact(scope: &Scope) -> Option<Sheet> {
+    let system = json!({ "protocol": "coverage", "steps": "full", "weight": "w(k,i)" });
+    alone(scope, Sheet::new(system), include_str!("scripts/hold-exact.proof"))
+}
+
+/// Weak order where messages are lost, as long as what neighbours take of each other adds up to 1 at most.
+pub fn weak_ordering_with_losses(scope: &Scope) -> Option<Sheet> {
+    alone(scope, Sheet::default(), include_str!("scripts/loss-sums.proof"))
+}
+
+/// There is none where it adds up to more.
+pub fn weak_ordering_with_losses_exact(scope: &Scope) -> Option<Sheet> {
+    alone(scope, Sheet::default(), include_str!("scripts/loss-exact.proof"))
+}
+
+/// 7.8 does not hold where another weight in each step is such that the sum of all is finite.
+pub fn limit_exact(scope: &Scope) -> Option<Sheet> {
+    varying(scope, None, &[(include_str!("scripts/limit-exact.proof"), "")])
+}
+
+/// Order where agents join and leave.
+pub fn ordering_joining(scope: &Scope) -> Option<Sheet> {
+    alone(scope, Sheet::default(), include_str!("scripts/joining.proof"))
+}
+
+/// Rendez-vous with weights of their own from 0 to 1/2: nobody leaves the hull of the start.
+pub fn rendezvous(scope: &Scope) -> Option<Sheet> {
+    let system = json!({ "protocol": "consensus", "steps": "full", "weight": "w(k,i)" });
+    alone(scope, Sheet::new(system), include_str!("scripts/rendez-vous.proof"))
+}
+
+/// The script, which says itself what is assumed of the weights, for every N.
+fn alone(scope: &Scope, mut sheet: Sheet, script: &str) -> Option<Sheet> {
+    sheet.read(script, &[]).ok()?;
+    (scope.weights.is_none() && scope.drones.is_none()).then_some(sheet)
 }
 
 /// The script, for weights from 0 to 1/2.

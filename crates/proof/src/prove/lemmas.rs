@@ -39,15 +39,8 @@ pub fn system(theorem: Option<Theorem>, scope: &Scope, steps: Steps, starts: boo
     body.insert("protocol".into(), json!("coverage"));
     body.insert("steps".into(), json!(steps));
     let of = theorem.map(|t| json!({ "theorem": t.number(), "form": scope.form.label() }));
-    match (&scope.weights, &of) {
-        (Some((from, to)), _) => {
-            body.insert(
-                "weights".into(),
-                json!({ "from": from.to_string(), "to": to.to_string() }),
-            );
-        }
-        (None, Some(of)) => _ = body.insert("weights".into(), json!({ "of": of })),
-        (None, None) => {}
+    if let Some(of) = of.as_ref().filter(|_| scope.weights.is_none()) {
+        body.insert("weights".into(), of.clone());
     }
     if let Some(of) = of.filter(|_| starts) {
         body.insert("starts".into(), of);
@@ -75,6 +68,13 @@ pub struct Weights {
 
 /// Adds the lemmas about weights.
 pub fn weights(sheet: &mut Sheet, theorem: Theorem, scope: &Scope) -> Weights {
+    for (name, end, sign) in scope
+        .weights
+        .iter()
+        .flat_map(|(from, to)| [("weight.from", from, ">="), ("weight.to", to, "<=")])
+    {
+        sheet.assume(clause(name, "", &[], &format!("eps {sign} {end}")));
+    }
     let mut lemma = |name: &str, goal: &str, sum: &str| {
         sheet.lemma(clause(name, "", &[], goal), positivity(&[], sum))
     };

@@ -34,7 +34,7 @@ pub struct Claim {
 }
 
 /// Every claim.
-pub const CLAIMS: [Claim; 40] = {
+pub const CLAIMS: [Claim; 47] = {
     use Steps::{Activation, Delay, Full};
     const fn of(name: &'static str, theorem: Theorem, sheet: fn(&Scope) -> Option<Sheet>) -> Claim {
         Claim { name, theorem: Some(theorem), sheet }
@@ -72,6 +72,11 @@ pub const CLAIMS: [Claim; 40] = {
         claim("7.8-activation", departing::limit_active),
         claim("7.2-hold", departing::gaps_held),
         claim("7.2-loss", departing::ordering_with_losses),
+        claim("7.2-hold-sums", departing::ordering_held),
+        claim("7.2-hold-exact", departing::ordering_held_exact),
+        claim("7.2-loss-sums", departing::weak_ordering_with_losses),
+        claim("7.2-loss-exact", departing::weak_ordering_with_losses_exact),
+        claim("7.2-joining", departing::ordering_joining),
         claim("7.2-gaps-varying", departing::gaps_varying),
         claim("7.3-varying", departing::upper_varying),
         claim("7.5i-varying", departing::increasing_varying),
@@ -79,7 +84,9 @@ pub const CLAIMS: [Claim; 40] = {
         claim("7.6ii-varying", departing::constant_varying),
         claim("7.7-varying", departing::increasing_in_time_varying),
         claim("7.8-varying", departing::limit_varying),
+        claim("7.8-varying-exact", departing::limit_exact),
         claim("consensus-average", sums::consensus),
+        claim("rendez-vous", departing::rendezvous),
         claim("projection", others::projection),
         claim("7.2-exact", others::ordering_exact),
         claim("7.3-exact", others::upper_exact),

@@ -4,6 +4,7 @@
 //!
 //! ```text
 //! let v(i) = p(last-(i))*minor(i)            # from here on @v(t) is that text, with t for i
+//! function f(k, i): real                     # any function of integers
 //! constant K: integer
 //! define p(i) = 1; eps*p(i)                  # p(0); then p(i+1)
 //! assume OFF |- @v(K) > 0
@@ -92,13 +93,22 @@ impl Sheet {
                 let (name, sort) = parted(rest, ": ")?;
                 self.constant(name, sort);
             }
+            "function" => {
+                let (head, sort) = parted(rest, ": ")?;
+                let (name, of, _) = abbreviation(head, "");
+                self.function(&name, of.len(), sort);
+            }
             "define" => self.definition(rest, node, lets)?,
             "assume" => self.assume(stated(rest)?),
             "lemma" => self.lemma(stated(rest)?, proof(&node.below, &Shared::default(), lets)?),
             "conclude" => {
                 self.conclude(stated(rest)?, proof(&node.below, &Shared::default(), lets)?);
             }
-            _ => return Err("expected let, constant, define, assume, lemma or conclude".into()),
+            _ => {
+                return Err(
+                    "expected let, function, constant, define, assume, lemma or conclude".into()
+                );
+            }
         }
         Ok(())
     }

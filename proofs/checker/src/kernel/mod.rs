@@ -99,7 +99,7 @@ impl Kernel {
         spend(128 + vars.len() as u64)?;
         let letters = name.starts_with(|c: char| c.is_ascii_alphabetic())
             && name.bytes().all(|b| b.is_ascii_alphanumeric());
-        let taken = name == "last"
+        let taken = name == "last" && self.signature.last.is_some()
             || vars.iter().any(|(v, _)| **v == *name)
             || self.signature.constants.contains_key(name)
             || self.signature.functions.contains_key(name);
@@ -114,6 +114,16 @@ impl Kernel {
     pub fn constant(&mut self, name: &str, sort: Sort) -> Result<()> {
         let name = self.fresh(name, &Vars::new())?;
         self.signature.constants.insert(name, sort);
+        Ok(())
+    }
+
+    /// Adds a function of so many integers, of which nothing is known.
+    ///
+    /// # Errors
+    /// Its name is none, or taken.
+    pub fn function(&mut self, name: &str, arity: usize, sort: Sort) -> Result<()> {
+        let name = self.fresh(name, &Vars::new())?;
+        self.signature.functions.insert(name, (arity, sort));
         Ok(())
     }
 

@@ -3,12 +3,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use cordon_check::expr::Relation;
-use cordon_check::format::{Family, System};
+use cordon_check::expr::{Relation, Sort};
+use cordon_check::format::System;
 use cordon_check::kernel::Kernel;
 use cordon_check::number::{Number, refill};
 use cordon_check::poly::{Atom, Poly};
-use cordon_check::system::{Step, family, install};
+use cordon_check::system::{Step, install};
 use cordon_check::{Verdict, check_of};
 use cordon_spec::activation::exec_coverage_active;
 use cordon_spec::consensus::exec_consensus;
@@ -26,7 +26,8 @@ fn kernel(system: &Value) -> Kernel {
     refill();
     let system: System = serde_json::from_value(system.clone()).unwrap();
     let mut kernel = Kernel::default();
-    install(&system, &mut kernel, exec_coverage).unwrap();
+    kernel.function("w", 2, Sort::Real).unwrap();
+    install(Some(&system), &mut kernel, exec_coverage).unwrap();
     kernel
 }
 
@@ -44,10 +45,11 @@ fn goal(kernel: &Kernel, name: &str, values: &[(&str, usize)]) -> Poly {
 fn words_for_one_number_of_drones_are_of_that_number() {
     let said = |drones: u32| {
         let of = json!({ "theorem": "7.2", "form": "sharp" });
-        let system = json!({ "protocol": "coverage", "steps": "full", "weights": { "of": of }, "drones": drones });
+        let system =
+            json!({ "protocol": "coverage", "steps": "full", "weights": of, "drones": drones });
         refill();
         let system: System = serde_json::from_value(system).unwrap();
-        install(&system, &mut Kernel::default(), exec_coverage).unwrap()
+        install(Some(&system), &mut Kernel::default(), exec_coverage).unwrap()
     };
     let words = |drones: u32, given: &str| {
         format!("coverage with full steps, N = {drones}, last = N - 1\n  given: max > min; {given}")
@@ -71,8 +73,6 @@ fn x(k: &Poly, i: usize) -> Poly {
 #[test]
 fn classes_stand_for_every_drone_of_every_swarm() {
     let k = Poly::var("k");
-    let params =
-        Params { min: Poly::var("min"), max: Poly::var("max"), eps: Poly::var("eps"), n: 0 };
     let mut compared = 0;
     let systems = [
         ("coverage", "full"),
@@ -80,13 +80,21 @@ fn classes_stand_for_every_drone_of_every_swarm() {
         ("coverage", "delay"),
         ("consensus", "full"),
     ];
-    for (protocol, steps) in systems {
-        let kernel = kernel(&json!({ "protocol": protocol, "steps": steps }));
+    // Of one weight, and of one for each drone and step.
+    for ((protocol, steps), own) in systems.into_iter().flat_map(|s| [(s, false), (s, true)]) {
+        let mut system = json!({ "protocol": protocol, "steps": steps });
+        if own {
+            system["weight"] = json!("w(k,i)");
+        }
+        let kernel = kernel(&system);
         for count in 3..=MOST {
             refill();
             let state =
                 State { drones: (0..count).map(|i| x(&k, i)).collect::<Vec<_>>(), timesteps: 0 };
             for i in 0..count {
+                let weight = Poly::app("w", &[k.clone(), Poly::from_index(i)]);
+                let eps = if own { weight } else { Poly::var("eps") };
+                let params = Params { min: Poly::var("min"), max: Poly::var("max"), eps, n: 0 };
                 let name = format!("step.{}", class(count, i));
                 let clause = goal(&kernel, &name, &[("i", i), ("last", count - 1)]);
                 let after = x(&(k.clone() + &Poly::whole(1)), i);
@@ -130,7 +138,7 @@ fn classes_stand_for_every_drone_of_every_swarm() {
             }
         }
     }
-    assert_eq!(compared, 5 * (3..=MOST).sum::<usize>());
+    assert_eq!(compared, 10 * (3..=MOST).sum::<usize>());
 }
 
 /// Whether a clause about the start and eps holds: for all i for which its literals given do.
@@ -186,7 +194,8 @@ fn hypotheses_are_those_of_the_spec() {
     for theorem in Theorem::ALL {
         for form in Form::ALL {
             let of = json!({ "theorem": theorem.number(), "form": form.label() });
-            let system = json!({ "protocol": "coverage", "steps": "full", "weights": { "of": of }, "starts": of });
+            let system =
+                json!({ "protocol": "coverage", "steps": "full", "weights": of, "starts": of });
             let kernel = kernel(&system);
             let there = |names: &[&'static str]| -> Vec<&'static str> {
                 names.iter().copied().filter(|n| kernel.lemmas.contains_key(*n)).collect()
@@ -273,9 +282,8 @@ fn systems_have_the_clauses_of_the_format_and_no_others() {
                 ("consensus", "full", ""),
             ] {
                 let of = json!({ "theorem": theorem.number(), "form": form.label() });
-                let given = json!({ "of": of, "from": "0", "to": "1" });
-                let mut system = json!({ "protocol": protocol, "steps": steps, "weights": given });
-                let mut expected = vec!["n", "last", "weight.from", "weight.to", weights, own];
+                let mut system = json!({ "protocol": protocol, "steps": steps, "weights": of });
+                let mut expected = vec!["n", "last", weights, own];
                 if protocol != "consensus" {
                     system["starts"] = of;
                     expected.extend(["segment", "start.first", "start.last", starts]);
@@ -292,20 +300,13 @@ fn systems_have_the_clauses_of_the_format_and_no_others() {
     assert_eq!(tried, 100);
 }
 
-/// So are those of a user's protocol.
+/// Without a system nothing is known but that there are three agents.
 #[test]
-fn families_have_the_clauses_of_the_format_and_no_others() {
-    for (topology, classes) in [("line", "first inner last"), ("ring", "all")] {
-        let rules: Value = classes.split(' ').map(|c| (c.to_owned(), json!({}))).collect();
-        let page = json!({ "topology": topology, "state": ["s"], "parameters": { "g": { "from": "0" } }, "rules": rules });
-        refill();
-        let written: Family = serde_json::from_value(page).unwrap();
-        let mut kernel = Kernel::default();
-        family(&written, &mut kernel).unwrap();
-        let found: Vec<&str> = kernel.lemmas.keys().map(|n| &**n).collect();
-        let expected = ["g.from", "last", "n", "step.s.first", "step.s.inner", "step.s.last"];
-        assert_eq!(found, expected, "{topology}");
-    }
+fn agents_of_whom_nothing_is_known_have_two_clauses() {
+    let mut kernel = Kernel::default();
+    let words = install(None, &mut kernel, exec_coverage).unwrap();
+    assert_eq!(words, "a system of agents, every N >= 3, last = N - 1");
+    assert_eq!(kernel.lemmas.keys().map(|n| &**n).collect::<Vec<_>>(), ["last", "n"]);
 }
 
 fn quotient(n: usize, d: usize) -> String {

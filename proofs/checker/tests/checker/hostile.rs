@@ -292,12 +292,7 @@ fn many_small_things_are_work_too() {
     let system = json!({ "protocol": "coverage", "steps": "full" });
     let goal = json!([{ "name": "GOAL", "for": vars, "goal": "0 >= 0" }]);
     overworked("variables", &stated(json!({ "system": system, "conclusions": goal })));
-    // Rules for many variables, parameters of many rows.
-    let names: Vec<String> = (0..100_000).map(|n| format!("s{n}")).collect();
-    let rules: Value = names.iter().map(|n| (n.clone(), json!("0"))).collect();
-    let family = json!({ "topology": "ring", "state": names, "rules": { "all": rules } });
-    let goal = json!([{ "name": "GOAL", "goal": "0 >= 0" }]);
-    overworked("rules", &stated(json!({ "family": family, "conclusions": goal })));
+    // Parameters of many rows.
     let ranges: Value = (0..60_000).map(|p| (format!("p{p}"), json!(["0", "1"]))).collect();
     let system = json!({ "state": ["x"], "parameters": ranges, "modes": { "step": {} } });
     let rows = 60_000;

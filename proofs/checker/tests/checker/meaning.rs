@@ -106,7 +106,7 @@ fn denied(name: &str, run: &Run) -> bool {
     refill();
     let t = statement(name).statement;
     let mut kernel = Kernel::default();
-    install(t.system.as_ref().unwrap(), &mut kernel, exec_coverage).unwrap();
+    install(t.system.as_ref(), &mut kernel, exec_coverage).unwrap();
     for (constant, sort) in &t.constants.0 {
         let constant = kernel.fresh(constant, &Vec::new()).unwrap();
         kernel.signature.constants.insert(constant, *sort);

@@ -18,7 +18,7 @@ use cordon_core::simplex::Work;
 use cordon_core::{Error, Result, exact};
 use cordon_run::protocol::Family;
 use cordon_spec::Scalar;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use super::builder::{Sheet, clause, instance, positivity};
 use crate::claims::search::End;
@@ -80,30 +80,30 @@ pub fn any_size(family: &Family) -> Result<AnySize> {
     for (j, c) in candidates.iter_mut().enumerate() {
         c.name = format!("L{j}");
     }
+    let mut sheet = Sheet::default();
     let mut about_constants = Vec::new();
+    let mut assume = |sheet: &mut Sheet, name: String, literal: Literal| {
+        sheet.assume(clause(&name, "", &[], &goal(&symbols, &literal, "k")));
+        about_constants.push(Fact { name, literal });
+    };
     for (name, ends) in &family.parameters {
+        sheet.constant(name, "real");
         for (end, value, sign) in [("from", &ends[0], 1), ("to", &ends[1], -1)] {
             if let Some(value) = value {
                 let variable = symbols.variable(Symbol::Name(name.clone()));
                 let poly =
                     (variable - &Polynomial::constant(value.clone())) * &Polynomial::from_int(sign);
                 let literal = Literal { poly, sign: Sign::NonNegative };
-                about_constants.push(Fact { name: format!("{name}.{end}"), literal });
+                assume(&mut sheet, format!("{name}.{end}"), literal);
             }
         }
     }
-    let mut sheet = Sheet::of_family(written(family, &symbols, &rules));
     for (j, text) in family.given.iter().enumerate() {
         let literal = reader.literal(text)?;
         if !symbols.agents(&literal.poly).is_empty() {
             return Err(Error::input(format!("`{}`: expected no agents", exact::shortened(text))));
         }
-        let name = format!("G{j}");
-        sheet.assume(clause(&name, "", &[], &goal(&symbols, &literal, "k")));
-        about_constants.push(Fact { name, literal });
-    }
-    for s in &starts {
-        sheet.assume(s.written(&symbols, "0", false));
+        assume(&mut sheet, format!("G{j}"), literal);
     }
     let degree = rules.values().map(|p| degree(&symbols, p)).max().unwrap_or(0);
     let mut search = Search {
@@ -116,6 +116,10 @@ pub fn any_size(family: &Family) -> Result<AnySize> {
         work: Work::limited(WORK),
         proved: Vec::new(),
     };
+    search.assume_steps(&mut sheet);
+    for s in &search.starts {
+        sheet.assume(s.written(&symbols, "0", false));
+    }
     // Claims that rest on others wait for them.
     loop {
         let before = candidates.len();
@@ -176,31 +180,4 @@ const NO_INDUCTION: &str = "no induction over the steps was found";
 fn degree(symbols: &Symbols, p: &Polynomial) -> usize {
     let names = |m| symbols.factors(m).iter().filter(|s| matches!(s, Symbol::Name(_))).count();
     p.terms().map(|(m, _)| names(m)).max().unwrap_or(0)
-}
-
-/// The family in the checker's words.
-fn written(
-    family: &Family,
-    symbols: &Symbols,
-    rules: &BTreeMap<(&str, &str), Polynomial>,
-) -> Value {
-    let mut classes = serde_json::Map::new();
-    for class in family.rules.keys() {
-        let of = rules.iter().filter(|((c, _), _)| c == class);
-        let of: serde_json::Map<_, _> =
-            of.map(|((_, v), p)| ((*v).to_owned(), json!(symbols.write(p, "k")))).collect();
-        classes.insert(class.clone(), Value::Object(of));
-    }
-    let mut parameters = serde_json::Map::new();
-    for (name, ends) in &family.parameters {
-        let mut range = serde_json::Map::new();
-        for (end, value) in ["from", "to"].into_iter().zip(ends) {
-            if let Some(value) = value {
-                range.insert(end.into(), json!(exact::fraction(value)));
-            }
-        }
-        parameters.insert(name.clone(), Value::Object(range));
-    }
-    let topology = if family.is_ring { "ring" } else { "line" };
-    json!({ "topology": topology, "state": family.state, "parameters": parameters, "rules": classes })
 }

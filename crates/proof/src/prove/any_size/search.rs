@@ -13,7 +13,7 @@ use cordon_spec::Scalar;
 use num_traits::Zero;
 use serde_json::{Value, json};
 
-use super::super::builder::{Sheet, absurd, cases, induction, instance, positivity, split};
+use super::super::builder::{Sheet, absurd, cases, clause, induction, instance, positivity, split};
 use super::clause::{Clause, moved};
 use super::sums::{Fact, sum};
 use super::text::{Literal, Place, Symbol, Symbols};
@@ -281,10 +281,7 @@ impl Search<'_> {
             let name = format!("h{j}");
             used.push(instance(&name, &format!("step.{variable}.{class}"), &with, &given));
             rest += &format!(" + ({})*[{name}]", symbols.write(&symbols.slope(&poly, &agent), "k"));
-            let class = if self.family.is_ring { "all" } else { class };
-            let rule = self.rules.get(&(class, variable.as_str()));
-            let own = symbols.variable(Symbol::At(variable.clone(), *place));
-            let next = rule.map_or(own, |rule| symbols.with(rule, &|s| self.wrapped(s, *place)));
+            let next = self.after(class, variable, *place);
             after.insert(agent, next);
         }
         let next = symbols.with(&poly, &|s| match s {
@@ -315,6 +312,32 @@ impl Search<'_> {
             );
         }
         self.leaf(&Literal { poly: next, sign: candidate.literal.sign }, &found, &used, &rest)
+    }
+
+    /// The variable of an agent of that class one step later.
+    fn after(&self, class: &str, variable: &str, place: Place) -> Polynomial {
+        let class = if self.family.is_ring { "all" } else { class };
+        let own = || self.symbols.variable(Symbol::At(variable.to_owned(), place));
+        self.rules
+            .get(&(class, variable))
+            .map_or_else(own, |rule| self.symbols.with(rule, &|s| self.wrapped(s, place)))
+    }
+
+    /// States the variables, and what a step makes of them: clauses `step.x.first`, `.inner` and `.last`.
+    pub fn assume_steps(&self, sheet: &mut Sheet) {
+        let inner = ["k: k >= 0", "i: i - 1 >= 0", "n: last - 1 - i >= 0"];
+        for x in &self.family.state {
+            sheet.function(x, 2, "real");
+            for (class, place, vars, given) in [
+                ("first", Place::First(0), "k", &inner[..1]),
+                ("inner", Place::Inner(0), "k i", &inner[..]),
+                ("last", Place::Last(0), "k", &inner[..1]),
+            ] {
+                let next = self.symbols.write(&self.after(class, x, place), "k");
+                let goal = format!("{x}(k+1,{}) = {next}", place.written());
+                sheet.assume(clause(&format!("step.{x}.{class}"), vars, given, &goal));
+            }
+        }
     }
 
     /// A symbol of a rule of the agent at a place.

@@ -343,7 +343,7 @@ fn numbers_beyond_the_checkers_limits_are_named() {
             let (code, out, err) = run(call);
             assert_eq!((code, out.as_str()), (2, ""), "{err}");
             assert!(err.contains("beyond the limits of the independent checker"), "{err}");
-            assert!(err.contains("at most 2100 characters") && !err.contains("fault"), "{err}");
+            assert!(err.contains("more than 2100 characters") && !err.contains("fault"), "{err}");
         }
         let eps = long(20);
         let (code, out, _) =

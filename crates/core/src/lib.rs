@@ -6,9 +6,9 @@
 //! * [`system`]: a protocol as the engines see it; [`stencil`]: the coefficients of the coverage step.
 //! * [`linear`], [`simplex`]: exact linear algebra and programs.
 //! * [`theorems`], [`violation`], [`evidence`]: the theorems by number, violations in words, kinds of
-//! evidence.
+//!   evidence.
 //! * [`error`], [`files`], [`fingerprint`], [`serial`], [`text`], [`table`], [`progress`]: errors and
-//! exit codes, reading and writing files, showing user text safely, tables, and progress.
+//!   exit codes, reading and writing files, showing user text safely, tables, and progress.
 
 pub mod error;
 pub mod evidence;

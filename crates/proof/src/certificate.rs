@@ -7,6 +7,7 @@ pub mod linear;
 use std::path::{Path, PathBuf};
 
 use cordon_check::Verdict;
+use cordon_check::number::MAX_NUMBER;
 use cordon_spec::theorems::Subject;
 use num_bigint::BigInt;
 use serde_json::{Value, json};
@@ -104,7 +105,12 @@ pub fn refutation(found: &Counterexample) -> Value {
 /// [`Error::Input`]: a number or the whole is longer than the checker reads, or takes more work
 /// than it allows. [`Error::Rejected`]: the checker finds it wrong.
 pub fn judged(certificate: &Value) -> Result<String> {
-    match cordon_check::check(&certificate.to_string()) {
+    let text = certificate.to_string();
+    let is_of_number = |c: char| c.is_ascii_digit() || c == '/';
+    if text.split(|c| !is_of_number(c)).any(|number| number.len() > MAX_NUMBER) {
+        return Err(beyond(&format!("a number of more than {MAX_NUMBER} characters")));
+    }
+    match cordon_check::check(&text) {
         Verdict::Valid { claim, .. } => Ok(claim),
         // What is written here is in the format: only its size can be at fault.
         Verdict::Unreadable { reason } => Err(beyond(&reason)),

@@ -409,7 +409,7 @@ lemma A(i s:real) i: i >= 0, s: s*s = 1 |- @f(g(i,0), i+1) >= @half
             ("@half", "@third", "@third: expected a `let`"),
             ("@f(g(i,0), i+1)", "@f(i)", "@f: expected 2 arguments"),
             ("|-", "->", "expected `|- `"),
-            ("lemma", "axiom", "expected let, constant"),
+            ("lemma", "axiom", "expected let, function, constant"),
             ("      absurd 1\n", "", "no rule with such branches"),
             ("        g = C\n", "        by 3\n", "`by 2`: no rule"),
             ("    by [b]", "    by [b]\n    by 1", "no rule with such branches"),

@@ -26,7 +26,7 @@ use super::multiply::{Multiply, NumBigint};
 pub struct Ntt;
 
 /// Factors shorter than this many limbs go to `num-bigint`, which is faster there.
-const SHORTEST: usize = 450;
+pub(super) const SHORTEST: usize = 450;
 
 /// Most limbs of the shorter factor of one transform: 2^23 digits, so that a coefficient of the
 /// product, below 2^(23 + 2*88), is below the product of the primes.

@@ -131,7 +131,7 @@ impl<S: Machine> Stage<S> {
         let steps = *next..=self.last;
         *next = (*next).max(self.last + 1);
         let task = Steps { update: &self.update, window, steps, ask };
-        if S::VECTOR { widest(task) } else { task.run() }
+        if S::VECTOR { widest(task) } else { task.run(false) }
     }
 }
 
@@ -147,7 +147,7 @@ impl<S: Machine, A: FnMut(&Window<S>, usize)> Task for Steps<'_, S, A> {
     type Output = ();
 
     #[inline(always)]
-    fn run(mut self) {
+    fn run(mut self, _: bool) {
         for k in self.steps {
             if k > 0 {
                 self.window.advance(self.update);

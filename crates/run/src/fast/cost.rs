@@ -4,6 +4,7 @@
 
 use super::growth::{Growth, limbs_for, log2_above, longest};
 use super::line::Line;
+use super::ntt::SHORTEST;
 use super::ring::{Size, half_ring};
 
 /// A limb of a sum, of a copy, or of a product by one limb.
@@ -21,18 +22,20 @@ const STEP_LIMB_WEIGHTED: f64 = 2.2;
 /// A squaring of the kernel, however short.
 const SQUARING: f64 = 600.0;
 
-/// A square in units of a product.
-const SQUARE: f64 = 0.7;
-
 /// The product of numbers of `a` and `b` limbs.
 pub fn product(a: usize, b: usize) -> f64 {
     let (short, long) = (a.min(b) as f64, a.max(b) as f64);
-    if short < 1000.0 {
+    if short < SHORTEST as f64 {
         // Long multiplication, from some 30 limbs on by Karatsuba's method, piece by piece.
-        return long * short.min(6.5 * short.powf(0.46)) + 30.0;
+        return long * short.min(4.7 * short.powf(0.574)) + 30.0;
     }
     let length = short + long;
-    17.0 * length * length.log2()
+    25_000.0 + 4.3 * length * length.log2()
+}
+
+/// The square of a number of `a` limbs: one transform less; long multiplication gains nothing.
+pub fn square(a: usize) -> f64 {
+    if a < SHORTEST { product(a, a) } else { 0.65 * product(a, a) }
 }
 
 /// Every step of a line up to step k.
@@ -64,7 +67,7 @@ pub fn jumping(line: &Line, k: u64) -> f64 {
     };
     let (convolution, _) = size.cheaper();
     // The denominator's power takes the squares of a number of its length.
-    let denominator = 2.0 * SQUARE * product(long / 2 + 1, long / 2 + 1);
+    let denominator = 2.0 * square(long / 2 + 1);
     kernel.products
         + kernel.passes
         + convolution
@@ -92,7 +95,7 @@ impl KernelCost {
             if exponent > 0 {
                 let slot = limbs_for(growth.bits(exponent.saturating_mul(2)) / 2 + 1);
                 let packed = (2 * degree(exponent) + 1) * slot;
-                cost.products += SQUARE * product(packed, packed);
+                cost.products += square(packed);
                 cost.passes += SQUARING + 6.0 * LIMB * packed as f64;
             }
             exponent = k >> bit;
@@ -132,7 +135,7 @@ mod tests {
         }
 
         fn square(&self, a: Vec<u64>) -> Vec<u64> {
-            *self.0.lock().unwrap() += SQUARE * product(a.len(), a.len());
+            *self.0.lock().unwrap() += square(a.len());
             vec![0; 2 * a.len()]
         }
     }

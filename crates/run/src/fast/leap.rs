@@ -154,7 +154,7 @@ pub fn jumping(course: &Course, k: u64) -> f64 {
     let short = 1.0 + course.log2_growth() * cycle.len() as f64 * n / 64.0;
     let packed = (size as f64 * (words + 1.0)).to_usize().unwrap_or(usize::MAX);
     // Squares of half the length each time, reduced; and the combination.
-    let squares = 1.4 * cost::product(packed, packed) + rounds.log2().max(1.0) * 600.0 * n;
+    let squares = 2.0 * cost::square(packed) + rounds.log2().max(1.0) * 600.0 * n;
     let passes = 6.0 * n * n * words * short;
     let primes = bound_bits(cycle.len(), course.log2_growth(), size) / 60.0 + 1.0;
     squares + passes + primes * 60.0 * n * n * n

@@ -19,7 +19,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("cordon-kani", &["cordon-spec"]),
     ("cordon-vector", &[]),
     ("cordon-core", &["cordon-spec"]),
-    ("cordon-run", &["cordon-spec", "cordon-core"]),
+    ("cordon-run", &["cordon-spec", "cordon-vector", "cordon-core"]),
     (
         "cordon-proof",
         &["cordon-spec", "cordon-check", "cordon-vector", "cordon-core", "cordon-run"],

@@ -114,7 +114,8 @@ impl ProtocolArgs {
                 [] => "none: the file has no parameters".to_owned(),
                 _ => format!("one of {}", abridged_words(&known)),
             };
-            let unknown = format!("set: `{}` is not a parameter: expected {among}", shortened(name));
+            let unknown =
+                format!("set: `{}` is not a parameter: expected {among}", shortened(name));
             match parameters.iter_mut().find(|p| p.name == name) {
                 Some(p) => (p.low, p.high) = (low, high),
                 None => return Err(Error::input(unknown)),

@@ -112,7 +112,9 @@ fn mistakes_are_named_with_file_line_column_and_key() {
     assert_eq!(with(&["--start", "1,0"]).0, 2, "not an assumed start");
     assert_eq!(with(&["--start", "0"]).0, 2, "too short");
     assert!(
-        with(&["--set", "gain=1"]).2.contains("set: `gain` is not a parameter: expected one of eps")
+        with(&["--set", "gain=1"])
+            .2
+            .contains("set: `gain` is not a parameter: expected one of eps")
     );
     assert!(with(&["--set", "eps=1", "--set", "eps=0"]).2.contains("set: `eps` occurs twice"));
     assert!(with(&["--set", "eps"]).2.contains("set: `eps`: expected a parameter and its value"));

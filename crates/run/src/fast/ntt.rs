@@ -6,10 +6,10 @@
 //! n log n: `benches/peers` measures it against the libraries. Short factors go to
 //! `num-bigint`.
 //!
-//! Residues are integers in doubles, the four of one coefficient side by side in a [`Row`], so
+//! Residues are integers in doubles, the four of one coefficient side by side in a `Row`, so
 //! that all arithmetic is on vectors of four. Products modulo p are exact: `a*b = h + l` with
 //! the rounded product h and its error l, both doubles, and `h - q*p` is small for the rounded
-//! quotient q (see [`Lane::times`]). Residues are lazy: a few p long, of either sign. The bounds
+//! quotient q (see `Lane::times`). Residues are lazy: a few p long, of either sign. The bounds
 //! are in the comments, in units of p.
 //!
 //! The transform is the one of a product tree: a node reduces a polynomial modulo `z^2h - r^2`

@@ -56,6 +56,7 @@ impl ProtocolArgs {
         let Some(path) = &self.protocol else { return Ok(None) };
         let file = read(path)?;
         let system = self.sized(&file, self.agents.unwrap_or(file.agents.fewest()))?;
+        expect_claim(path, &system)?;
         if claims::is_vacuous(&system) {
             let assumptions = match file.has_start() {
                 true => "the assumptions",
@@ -81,6 +82,7 @@ impl ProtocolArgs {
         }
         let mut flow = file.flow(self.agents.unwrap_or(file.agents.fewest()))?;
         self.narrow(&mut flow.system.parameters)?;
+        expect_claim(path, &flow.system)?;
         Ok(Some((file, flow)))
     }
 
@@ -164,6 +166,17 @@ impl ProtocolArgs {
             flags += &format!(" --set {}", shell_word(set));
         }
         flags
+    }
+}
+
+/// A file without claims can be run; there is nothing in it to decide.
+fn expect_claim(path: &Path, system: &System) -> Result<()> {
+    match system.claims.is_empty() && system.converges.is_none() {
+        true => Err(Error::input(format!(
+            "{}: no claim: expected `claims` or `converges`",
+            path.display()
+        ))),
+        false => Ok(()),
     }
 }
 

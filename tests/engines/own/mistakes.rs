@@ -103,6 +103,15 @@ fn mistakes_are_named_with_file_line_column_and_key() {
         assert!(err.contains(expected), "expected `{expected}` in `{err}`");
     }
     assert_eq!(cases.len(), 34);
+    // A file without a claim runs, though there is nothing to decide.
+    std::fs::write(&path, good.replace("[\"x0 < x1\"]", "[]")).unwrap();
+    let line = ["trace", "--protocol", path.to_str().unwrap(), "--start", "0,1", "--steps", "1"];
+    let (code, out, err) = run(&line);
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    assert!(out.contains("step"), "{out}");
+    let (code, _, err) = run(&[&line[..], &["--check", "all"]].concat());
+    assert_eq!(code, 2, "{err}");
+    assert!(err.contains("claim"), "{err}");
     std::fs::write(&path, good).unwrap();
     let with = |flags: &[&str]| {
         let file = path.to_str().unwrap();

@@ -138,12 +138,6 @@ impl ProtocolFile {
             let past: Vec<_> = built.past.iter().filter_map(|&j| targets.get(j).cloned()).collect();
             targets.extend(past);
         }
-        if claimed.is_empty() && converges.is_none() {
-            return Err(Error::input(format!(
-                "{}: no claim: expected `claims` or `converges`",
-                self.name
-            )));
-        }
         Ok(System {
             title: doc.title.clone().unwrap_or_else(|| self.name.clone()),
             agents: count,

@@ -31,7 +31,7 @@ impl CheckedClaim {
 /// Checks claims at every protocol step from 0 to `last`: those with the given numbers, or all.
 ///
 /// # Errors
-/// No protocol file is run, no claim has that number, or the start does not meet the file's
+/// No protocol file is run, it has no claims or none of that number, or the start does not meet the file's
 /// assumptions.
 pub fn check_claims(
     scenario: &Scenario,
@@ -55,6 +55,11 @@ pub fn check_claims(
     };
     let mut groups: Vec<(CheckedClaim, Vec<&Claim>)> =
         system.written_claims().into_iter().enumerate().map(group).collect();
+    if groups.is_empty() {
+        return Err(Error::input(
+            "check: the protocol file has no `claims`: expected some to check",
+        ));
+    }
     if let Some(wrong) = numbers.iter().copied().flatten().find(|n| !(1..=groups.len()).contains(n))
     {
         return Err(Error::input(format!(

@@ -181,7 +181,7 @@ impl Args {
     fn greatest(&self, ranged: bool) -> Result<u32> {
         match self.denominators {
             Some(given) if !ranged => Err(Error::input(format!(
-                "denominators: `{given}`: expected a range that they are about: nothing has one"
+                "denominators: `{given}`: expected a range of weights or of a parameter to search: all are fixed"
             ))),
             given => Ok(given.unwrap_or(own_protocol::DENOMINATORS)),
         }

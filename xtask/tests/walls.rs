@@ -150,3 +150,21 @@ fn the_binary_inside_fmus_is_built_from_few_packages() {
     assert!(packages.contains("cordon-fmu") && packages.contains("num-bigint"), "{packages:?}");
     assert!(packages.len() < FMU_PACKAGES, "{}: {packages:?}", packages.len());
 }
+
+/// Source files that a crate takes from outside its own folder, which no manifest shows.
+#[test]
+fn no_crate_takes_sources_of_another() {
+    let out = Command::new("grep")
+        .args(["-rnE", "--include=*.rs", r#"#\[path = "|include!\("#])
+        .args(["spec/src", "src", "crates", "fmu/src", "kani/src", "proofs", "xtask/src"])
+        .current_dir(common::root())
+        .output()
+        .expect("grep runs");
+    let found = String::from_utf8(out.stdout).expect("text");
+    let lines: Vec<&str> = found.lines().collect();
+    let [only] = lines.as_slice() else { panic!("{lines:#?}") };
+    assert!(
+        only.starts_with("spec/src/lib.rs:") && only.contains("proofs/creusot/model"),
+        "{only}"
+    );
+}

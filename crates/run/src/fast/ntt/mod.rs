@@ -2,8 +2,9 @@
 //!
 //! Both factors are cut into digits of 88 bits, the coefficients of two polynomials; their
 //! product is found modulo four primes below 2^50 at once, by transforms of length 2^a or 3*2^a,
-//! and put together by the Chinese remainder theorem. Portable Rust without `unsafe`, in time
-//! n log n: `benches/peers` measures it against the libraries. Short factors go to
+//! and put together by the Chinese remainder theorem. Portable Rust (the one `unsafe`
+//! call, to the copy for wide vectors, is `cordon-vector`'s), in time n log n: `benches/peers` measures
+//! it against the libraries. Short factors go to
 //! `num-bigint`.
 //!
 //! Residues are integers in doubles, the four of one coefficient side by side in a `Row`, so

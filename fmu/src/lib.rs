@@ -29,14 +29,14 @@ mod fmi3_unsupported;
 pub static CORDON_FMU: [u8; BINARY_MARK.len()] = {
     let mut bytes = [0; BINARY_MARK.len()];
     bytes.copy_from_slice(BINARY_MARK.as_bytes());
-    let mut place = 0;
-    while place < bytes.len() {
+    let mut index = 0;
+    while index < bytes.len() {
         // Within the array: this is evaluated at compile time, or the build fails.
         #[allow(clippy::indexing_slicing)]
         {
-            bytes[place] = !bytes[place];
+            bytes[index] = !bytes[index];
         }
-        place += 1;
+        index += 1;
     }
     bytes
 };

@@ -113,8 +113,8 @@ fn variables_are_recorded_by_name() {
     assert!(head.contains(&"coordination3.weight [1]"), "{head:?}");
     let page: Value = serde_json::from_str(&fs::read_to_string(&json).unwrap()).unwrap();
     let column = |name: &str| {
-        let place = head.iter().position(|h| h.starts_with(name)).unwrap();
-        let cell = |l: &str| l.split(',').nth(place).unwrap().parse::<f64>().unwrap();
+        let index = head.iter().position(|h| h.starts_with(name)).unwrap();
+        let cell = |l: &str| l.split(',').nth(index).unwrap().parse::<f64>().unwrap();
         text.lines().skip(1).map(cell).collect::<Vec<_>>()
     };
     let mut compared = 0;

@@ -37,8 +37,8 @@ fn models() -> Vec<Model> {
 }
 
 fn reference(model: &Model, name: &str) -> u32 {
-    let place = model.variables().iter().position(|v| v.name == name);
-    u32::try_from(place.expect("a variable")).unwrap()
+    let index = model.variables().iter().position(|v| v.name == name);
+    u32::try_from(index.expect("a variable")).unwrap()
 }
 
 fn begin(slave: &mut Slave) {

@@ -18,8 +18,8 @@ impl Meaning for Point<'_> {
             "s" => (self.0.state.clone(), &self.1),
             _ => (self.0.parameters.iter().map(|p| p.name.clone()).collect(), &self.2),
         };
-        let place = names.iter().position(|n| n == name.trim_end_matches('_'));
-        Ok(Polynomial::constant(values[place.ok_or_else(|| name.to_owned())?].clone()))
+        let index = names.iter().position(|n| n == name.trim_end_matches('_'));
+        Ok(Polynomial::constant(values[index.ok_or_else(|| name.to_owned())?].clone()))
     }
 }
 

@@ -113,8 +113,8 @@ fn arrows_point_down() {
 fn the_rooms_are_listed_from_the_bottom_up() {
     for (at, (room, allowed)) in ROOMS.iter().enumerate() {
         for below in *allowed {
-            let place = ROOMS.iter().position(|(name, _)| name == below);
-            assert!(place.is_some_and(|p| p < at), "{room} above {below}");
+            let index = ROOMS.iter().position(|(name, _)| name == below);
+            assert!(index.is_some_and(|p| p < at), "{room} above {below}");
         }
     }
 }

@@ -15,7 +15,7 @@ pub struct Batch {
     /// Their values in each run; the last parameter changes fastest.
     pub runs: Vec<Vec<Rational>>,
     /// For each of them the index of its unit, and its name there.
-    places: Vec<(usize, String)>,
+    chosen: Vec<(usize, String)>,
 }
 
 impl Batch {
@@ -24,10 +24,10 @@ impl Batch {
     /// # Errors
     /// There are more than ten thousand runs.
     pub fn of(swarm: &Cosimulation) -> Result<Option<Self>> {
-        let ranges = |(place, unit): (usize, &Substitute)| {
+        let ranges = |(index, unit): (usize, &Substitute)| {
             let seat = Seat { drone: unit.drone, unit: unit.unit };
             let of_unit = unit.ranges.iter().map(move |(name, values)| {
-                (format!("{}.{name}", seat.name()), (place, name.clone()), values.clone())
+                (format!("{}.{name}", seat.name()), (index, name.clone()), values.clone())
             });
             of_unit.collect::<Vec<_>>()
         };
@@ -54,14 +54,14 @@ impl Batch {
         };
         let runs = (0..count).map(run).collect();
         let names = all.iter().map(|(name, _, _)| name.clone()).collect();
-        Ok(Some(Self { names, runs, places: all.into_iter().map(|(_, p, _)| p).collect() }))
+        Ok(Some(Self { names, runs, chosen: all.into_iter().map(|(_, p, _)| p).collect() }))
     }
 
     /// The swarm with the parameter values of one run.
     pub fn swarm(&self, swarm: &Cosimulation, values: &[Rational]) -> Cosimulation {
         let mut one = swarm.clone();
-        for ((place, name), value) in self.places.iter().zip(values) {
-            if let Some(unit) = one.units.get_mut(*place) {
+        for ((index, name), value) in self.chosen.iter().zip(values) {
+            if let Some(unit) = one.units.get_mut(*index) {
                 unit.ranges.clear();
                 unit.parameters.insert(name.clone(), Parameter::Number(value.clone()));
             }

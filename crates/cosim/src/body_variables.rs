@@ -12,7 +12,7 @@ pub(super) trait Doubles: Unit + Sized {
     fn double(&self, variable: usize) -> Option<f64>;
 
     /// The storage of a parameter or an input.
-    fn place_of(&mut self, variable: usize) -> Option<&mut f64>;
+    fn slot_of(&mut self, variable: usize) -> Option<&mut f64>;
 
     /// [`Unit::get`] of a double.
     fn get_double(&self, variable: usize) -> Result<f64, UnitError> {
@@ -21,8 +21,8 @@ pub(super) trait Doubles: Unit + Sized {
 
     /// [`Unit::set`] of a double.
     fn set_double(&mut self, variable: usize, x: f64) -> Result<(), UnitError> {
-        if let Some(place) = self.place_of(variable) {
-            *place = x;
+        if let Some(slot) = self.slot_of(variable) {
+            *slot = x;
             return Ok(());
         }
         Err(not_settable(self, variable))
@@ -102,7 +102,7 @@ pub(super) fn motion(causality: Causality) -> Vec<Variable> {
 }
 
 /// The parameter with this index in the table.
-pub(super) fn slot(body: &mut Body, place: usize) -> Option<&mut f64> {
+pub(super) fn slot(body: &mut Body, index: usize) -> Option<&mut f64> {
     let [ixx, iyy, izz] = &mut body.inertia;
     let slots: [&mut f64; COUNT] = [
         &mut body.gravity,
@@ -115,19 +115,19 @@ pub(super) fn slot(body: &mut Body, place: usize) -> Option<&mut f64> {
         izz,
         &mut body.yaw,
     ];
-    slots.into_iter().nth(place)
+    slots.into_iter().nth(index)
 }
 
 /// The value of the parameter with this index in the table.
-pub(super) fn value(body: &Body, place: usize) -> Option<f64> {
-    slot(&mut body.clone(), place).copied()
+pub(super) fn value(body: &Body, index: usize) -> Option<f64> {
+    slot(&mut body.clone(), index).copied()
 }
 
 /// Refuses a body that could not fly.
 pub(super) fn check(unit: &dyn Unit, body: &Body) -> Result<(), UnitError> {
     let refuse = |name: &str, x: f64, expected: &str| {
-        let place = unit.variables().iter().position(|v| v.name == name).unwrap_or(usize::MAX);
-        Err(at_variable(unit, place, format!("`{x}`: expected a {expected}")))
+        let index = unit.variables().iter().position(|v| v.name == name).unwrap_or(usize::MAX);
+        Err(at_variable(unit, index, format!("`{x}`: expected a {expected}")))
     };
     for (name, x) in body.positive() {
         if !(x.is_finite() && x > 0.0) {

@@ -231,9 +231,9 @@ impl Watch {
         let end = |i: usize| ends.get(i).copied().unwrap_or_default();
         self.by_place.sort_by(|&i, &j| end(i).0.total_cmp(&end(j).0).then(i.cmp(&j)));
         self.close.clear();
-        for (place, &i) in self.by_place.iter().enumerate() {
+        for (rank, &i) in self.by_place.iter().enumerate() {
             let limit = end(i).1 + reach;
-            let later = self.by_place.iter().skip(place + 1);
+            let later = self.by_place.iter().skip(rank + 1);
             for &j in later.take_while(|&&j| end(j).0 <= limit) {
                 let apart = |axis: &Vec<Bernstein<MOTION>>| {
                     let (a, b) = (at(axis, i), at(axis, j));

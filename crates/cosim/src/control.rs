@@ -207,7 +207,7 @@ impl Doubles for Control {
         }
     }
 
-    fn place_of(&mut self, variable: usize) -> Option<&mut f64> {
+    fn slot_of(&mut self, variable: usize) -> Option<&mut f64> {
         match variable {
             var::X_D..var::STATE => self.wanted.get_mut(variable),
             var::STATE..var::ROTORS => self.state.get_mut(variable - var::STATE),
@@ -251,10 +251,10 @@ impl Unit for Control {
     fn initialise(&mut self, _: &Grid) -> Result<(), UnitError> {
         body_variables::check(self, &self.body)?;
         let Gains { position, attitude } = self.gains;
-        for (place, gain) in [(var::LAMBDA_P, position), (var::LAMBDA_A, attitude)] {
+        for (index, gain) in [(var::LAMBDA_P, position), (var::LAMBDA_A, attitude)] {
             if !gain.is_finite() {
                 let what = format!("`{gain}`: expected a finite number");
-                return Err(at_variable(self, place, what));
+                return Err(at_variable(self, index, what));
             }
         }
         self.rotors = [0.0; 4];

@@ -199,7 +199,7 @@ impl Coordination {
     }
 
     /// The index of a variable in the table.
-    pub fn place(&self, slot: Slot) -> Option<usize> {
+    pub fn index(&self, slot: Slot) -> Option<usize> {
         self.slots.iter().position(|s| *s == slot)
     }
 
@@ -243,9 +243,9 @@ impl Coordination {
             Slot::StartOf(v) => {
                 let start = self.exact(variable, value)?;
                 if let Law::Own(law) = &mut self.settings.law
-                    && let Some(place) = law.start.get_mut(v)
+                    && let Some(own) = law.start.get_mut(v)
                 {
-                    *place = start;
+                    *own = start;
                 }
             }
             Slot::Constant(k) => {
@@ -402,9 +402,9 @@ impl Unit for Coordination {
             Law::Consensus { .. } | Law::Formation { .. } => None,
         };
         if let Some((id, count)) = beyond {
-            let place = self.place(Slot::Id).unwrap_or(usize::MAX);
+            let index = self.index(Slot::Id).unwrap_or(usize::MAX);
             let what = format!("`{id}`: expected less than the number of drones, `{count}`");
-            return Err(at_variable(self, place, what));
+            return Err(at_variable(self, index, what));
         }
         self.machine = Machine::new(&self.settings);
         self.own = Quotient::from(&self.settings.start);
@@ -425,9 +425,9 @@ impl Unit for Coordination {
                     continue;
                 }
                 let Some(x) = self.settings.exchange.receive(value) else {
-                    let place = self.place(Slot::Heard(i)).unwrap_or(usize::MAX);
+                    let index = self.index(Slot::Heard(i)).unwrap_or(usize::MAX);
                     let what = format!("`{value}`: expected a finite position");
-                    return Err(at_variable(self, place, what));
+                    return Err(at_variable(self, index, what));
                 };
                 received.push(x);
             }

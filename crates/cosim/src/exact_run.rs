@@ -109,7 +109,7 @@ fn along(
             };
             let desired = distance(*own, *desired)?;
             found.desired.note(desired, i, step);
-            let plant = Port { unit: Seat::plant(i).place(), variable: plant_var::X };
+            let plant = Port { unit: Seat::plant(i).index(), variable: plant_var::X };
             let actual = distance(plant, *actual)?;
             found.actual.note(actual, i, step);
         }

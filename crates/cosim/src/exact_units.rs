@@ -46,10 +46,10 @@ fn variable(name: &str, dimension: Dimension, causality: Causality) -> Variable 
     Variable::new(name, dimension, causality, zero, "along x, exact")
 }
 
-fn expect_exact(unit: &dyn Unit, place: usize, value: &Value) -> Result<Quotient, UnitError> {
+fn expect_exact(unit: &dyn Unit, index: usize, value: &Value) -> Result<Quotient, UnitError> {
     match value {
         Value::Exact(x) => Ok(x.clone()),
-        other => Err(wrong_kind(unit, place, Kind::Exact, other)),
+        other => Err(wrong_kind(unit, index, Kind::Exact, other)),
     }
 }
 
@@ -93,21 +93,21 @@ impl Unit for ExactControl {
         })
     }
 
-    fn set(&mut self, place: usize, value: &Value) -> Result<(), UnitError> {
-        let x = expect_exact(self, place, value)?;
-        match self.inputs.get_mut(place) {
+    fn set(&mut self, index: usize, value: &Value) -> Result<(), UnitError> {
+        let x = expect_exact(self, index, value)?;
+        match self.inputs.get_mut(index) {
             Some(input) => *input = x,
-            None => return Err(not_settable(self, place)),
+            None => return Err(not_settable(self, index)),
         }
         Ok(())
     }
 
-    fn get(&self, place: usize) -> Result<Value, UnitError> {
-        let number = match place {
+    fn get(&self, index: usize) -> Result<Value, UnitError> {
+        let number = match index {
             control_var::SNAP => Some(&self.snap),
-            place => self.inputs.get(place),
+            index => self.inputs.get(index),
         };
-        number.cloned().map(Value::Exact).ok_or_else(|| no_such_variable(self, place))
+        number.cloned().map(Value::Exact).ok_or_else(|| no_such_variable(self, index))
     }
 
     fn initialise(&mut self, _: &Grid) -> Result<(), UnitError> {
@@ -166,20 +166,20 @@ impl Unit for ExactPlant {
         })
     }
 
-    fn set(&mut self, place: usize, value: &Value) -> Result<(), UnitError> {
-        if place != plant_var::SNAP {
-            return Err(not_settable(self, place));
+    fn set(&mut self, index: usize, value: &Value) -> Result<(), UnitError> {
+        if index != plant_var::SNAP {
+            return Err(not_settable(self, index));
         }
-        self.snap = expect_exact(self, place, value)?;
+        self.snap = expect_exact(self, index, value)?;
         Ok(())
     }
 
-    fn get(&self, place: usize) -> Result<Value, UnitError> {
-        let number = match place {
+    fn get(&self, index: usize) -> Result<Value, UnitError> {
+        let number = match index {
             plant_var::SNAP => Some(&self.snap),
-            place => self.chain.get(place - plant_var::X),
+            index => self.chain.get(index - plant_var::X),
         };
-        number.cloned().map(Value::Exact).ok_or_else(|| no_such_variable(self, place))
+        number.cloned().map(Value::Exact).ok_or_else(|| no_such_variable(self, index))
     }
 
     fn initialise(&mut self, grid: &Grid) -> Result<(), UnitError> {

@@ -96,8 +96,8 @@ impl Plan {
     /// A drone that does not exist, a probability beyond 1, a time that is no grid point.
     pub(super) fn new(faults: &[Fault], seed: u64, count: usize, grid: &Grid) -> Result<Self> {
         let mut plan = Self { on_links: Vec::new(), drop_outs: Vec::new(), seed };
-        for (place, fault) in faults.iter().enumerate() {
-            let fail = |what: String| Error::input(format!("fault {}: {what}", place + 1));
+        for (index, fault) in faults.iter().enumerate() {
+            let fail = |what: String| Error::input(format!("fault {}: {what}", index + 1));
             let steps = window(fault, grid).map_err(&fail)?;
             let exists = |drone: usize| {
                 let what = format!("drone `{drone}`: expected 0 to {}", count - 1);
@@ -122,7 +122,7 @@ impl Plan {
                     link.iter().try_for_each(|(i, j)| exists(*i).and(exists(*j)))?;
                 }
             }
-            plan.on_links.push(OnLinks { number: place + 1, fault: fault.clone(), steps });
+            plan.on_links.push(OnLinks { number: index + 1, fault: fault.clone(), steps });
         }
         Ok(plan)
     }
@@ -148,11 +148,11 @@ impl Plan {
     /// The faults of messages from drone `from` to drone `to`, if any.
     pub(super) fn link(&self, from: usize, to: usize) -> Option<Chain> {
         let mut chain: Vec<Box<dyn Link>> = Vec::new();
-        for (place, OnLinks { fault, steps, .. }) in self.on_links.iter().enumerate() {
+        for (index, OnLinks { fault, steps, .. }) in self.on_links.iter().enumerate() {
             let concerns = |link: &Option<(usize, usize)>| link.is_none_or(|l| l == (from, to));
             match &fault.kind {
                 FaultKind::Loss { link, probability } if concerns(link) => {
-                    let ends = [place, from, to].into_iter();
+                    let ends = [index, from, to].into_iter();
                     let seed = ends.fold(self.seed, |seed, n| mixed(seed ^ mixed(n as u64)));
                     let scaled = probability * Rational::from_integer(BigInt::from(1u8) << 64u8);
                     // At most 2^64, which fits.

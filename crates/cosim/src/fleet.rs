@@ -27,7 +27,7 @@ pub(super) struct Fleet<'s> {
     /// The global run from the next protocol step onwards.
     rows: Rows<'s>,
     /// For each axis, which of an agent's variables is the position, and how many there are.
-    places: Vec<usize>,
+    indices: Vec<usize>,
     variables: usize,
     updates: u64,
     z_d: f64,
@@ -55,11 +55,11 @@ impl<'s> Fleet<'s> {
         let selection = Selection { unit: Counted::Steps, from: 0, to: last, every: 1 };
         // Runs too long for this are left to the units, which run or refuse them.
         let rows = trace::select(scenario, selection).ok()?;
-        let (mut places, mut variables) = (vec![0], 1);
+        let (mut indices, mut variables) = (vec![0], 1);
         if let Some(file) = scenario.own() {
             variables = file.system.variables.len();
-            places = vec![own::position_of(&file.system)];
-            places.extend(own::across_of(&file.system));
+            indices = vec![own::position_of(&file.system)];
+            indices.extend(own::across_of(&file.system));
         }
         let state = |drone| {
             let place = |axis| exact::to_f64(&swarm.start_of(drone, axis));
@@ -73,12 +73,12 @@ impl<'s> Fleet<'s> {
             attitude: exact::to_f64(&swarm.lambda_a),
         };
         let mut fleet = Self {
-            desired: places.iter().map(|_| Vec::with_capacity(swarm.count())).collect(),
+            desired: indices.iter().map(|_| Vec::with_capacity(swarm.count())).collect(),
             states: (0..swarm.count()).map(state).collect(),
             rotors: vec![[0.0; 4]; swarm.count()],
             scenario,
             rows,
-            places,
+            indices,
             variables,
             updates: 0,
             z_d: exact::to_f64(&swarm.z_d),
@@ -98,9 +98,9 @@ impl<'s> Fleet<'s> {
         if !positions.iter().all(|x| x.is_finite()) {
             return None;
         }
-        for (desired, place) in self.desired.iter_mut().zip(&self.places) {
+        for (desired, index) in self.desired.iter_mut().zip(&self.indices) {
             desired.clear();
-            desired.extend(positions.iter().skip(*place).step_by(self.variables));
+            desired.extend(positions.iter().skip(*index).step_by(self.variables));
         }
         Some(())
     }

@@ -153,8 +153,8 @@ impl Master {
                 outages: Vec::new(),
             })
             .collect();
-        for (place, steps) in outages {
-            if let Some(cell) = cells.get_mut(place) {
+        for (index, steps) in outages {
+            if let Some(cell) = cells.get_mut(index) {
                 cell.outages = steps;
             }
         }
@@ -303,8 +303,8 @@ impl Master {
         let Schedule::InOrder { sampled, .. } = &self.schedule else {
             return Ok(());
         };
-        for &(unit, place) in sampled {
-            carry_live(&mut self.cells, unit, place, &self.grid, step)?;
+        for &(unit, index) in sampled {
+            carry_live(&mut self.cells, unit, index, &self.grid, step)?;
         }
         Ok(())
     }
@@ -318,10 +318,10 @@ impl Master {
                         self.cells.get(unit).map_or_else(Vec::new, |cell| {
                             let inputs = cell.inputs.iter().enumerate();
                             let immediate = inputs.filter(|(_, i)| i.timing != Timing::Sampled);
-                            immediate.map(|(place, _)| place).collect()
+                            immediate.map(|(index, _)| index).collect()
                         });
-                    for place in immediate {
-                        carry_live(&mut self.cells, unit, place, &self.grid, step)?;
+                    for index in immediate {
+                        carry_live(&mut self.cells, unit, index, &self.grid, step)?;
                     }
                     if let Some(cell) = self.cells.get_mut(unit) {
                         cell.begin(&self.grid, step)?;
@@ -435,8 +435,8 @@ impl Cell {
     /// Sets the inputs of the lane from the doubles sent by all units.
     fn receive_doubles(&mut self, doubles: &[f64]) -> Result<(), UnitError> {
         let Lane { inputs, from, received, .. } = &mut self.lane;
-        for (&place, x) in from.iter().zip(received.iter_mut()) {
-            *x = doubles.get(place).copied().unwrap_or_default();
+        for (&index, x) in from.iter().zip(received.iter_mut()) {
+            *x = doubles.get(index).copied().unwrap_or_default();
         }
         self.unit.set_reals(inputs, received)
     }
@@ -478,11 +478,11 @@ impl Cell {
 fn carry_live(
     cells: &mut [Cell],
     unit: usize,
-    place: usize,
+    index: usize,
     grid: &Grid,
     step: u64,
 ) -> Result<(), UnitError> {
-    let Some(from) = cells.get(unit).and_then(|c| c.inputs.get(place)).map(|i| i.from) else {
+    let Some(from) = cells.get(unit).and_then(|c| c.inputs.get(index)).map(|i| i.from) else {
         return Ok(());
     };
     let Some(source) = cells.get(from.unit) else {
@@ -491,7 +491,7 @@ fn carry_live(
     let value = finite(source.unit.as_ref(), from.variable, grid, step)?;
     let silent = source.is_down(step);
     match cells.get_mut(unit) {
-        Some(cell) if !cell.is_down(step) => match cell.inputs.get_mut(place) {
+        Some(cell) if !cell.is_down(step) => match cell.inputs.get_mut(index) {
             Some(input) => deliver(cell.unit.as_mut(), input, &value, silent, step),
             None => Ok(()),
         },

@@ -18,7 +18,7 @@ pub(crate) fn across(own: &Own) -> Option<usize> {
 pub(crate) fn positions(own: &Own, start: &[Rational]) -> (Vec<Rational>, Option<Vec<Rational>>) {
     let of = |variable| {
         let places = (variable..).step_by(own.system.variables.len()).take(own.system.agents);
-        places.map(|place| start.get(place).cloned().unwrap_or_default()).collect()
+        places.map(|index| start.get(index).cloned().unwrap_or_default()).collect()
     };
     (of(position_of(&own.system)), across_of(&own.system).map(of))
 }

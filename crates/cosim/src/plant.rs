@@ -233,7 +233,7 @@ impl Doubles for Plant {
         }
     }
 
-    fn place_of(&mut self, variable: usize) -> Option<&mut f64> {
+    fn slot_of(&mut self, variable: usize) -> Option<&mut f64> {
         match variable {
             var::ROTORS..var::X => self.rotors.get_mut(variable),
             var::X0..=var::Z0 => self.start.get_mut(variable - var::X0),

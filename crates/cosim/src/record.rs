@@ -14,7 +14,7 @@ pub enum Axis {
 
 impl Axis {
     /// Its index among a body's three directions.
-    pub fn place(self) -> usize {
+    pub fn index(self) -> usize {
         match self {
             Self::X => 0,
             Self::Y => 1,
@@ -132,10 +132,10 @@ impl Setup {
         if self.recorded {
             text.push_str(", arithmetic of the recorded runs");
         }
-        for (place, flown) in self.fmus.iter().enumerate() {
-            match place {
+        for (index, flown) in self.fmus.iter().enumerate() {
+            match index {
                 MOST_LISTED => {
-                    text.push_str(&format!(", and {} more FMUs", self.fmus.len() - place));
+                    text.push_str(&format!(", and {} more FMUs", self.fmus.len() - index));
                 }
                 p if p < MOST_LISTED => {
                     text.push_str(&format!(", {} is `{}`", flown.unit, flown.fmu));

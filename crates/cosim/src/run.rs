@@ -59,7 +59,7 @@ pub(super) fn by_units(swarm: &Cosimulation) -> Result<(Record, Result<()>)> {
     let (selected, series) = selection::select(&swarm.recorded_variables, wiring.units())?;
     let mut others = vec![0.0; series.len()];
     let mut keeper = Keeper::new(swarm, series)?;
-    let desired = places(swarm)?;
+    let desired = indices(swarm)?;
     let mut master = Master::new(wiring, swarm.grid.clone(), swarm.algorithm)?;
     let ended = master.run(|master, step| {
         keeper.row.read(&desired, master, step)?;
@@ -158,7 +158,7 @@ impl Cosimulation {
 }
 
 /// For each drone the indices of its desired positions in its coordination unit, axis by axis.
-fn places(swarm: &Cosimulation) -> Result<Vec<Vec<usize>>> {
+fn indices(swarm: &Cosimulation) -> Result<Vec<Vec<usize>>> {
     let slot = |axis: &Axis| match axis {
         Axis::X => Slot::Desired,
         Axis::Y => Slot::DesiredAcross,
@@ -166,7 +166,7 @@ fn places(swarm: &Cosimulation) -> Result<Vec<Vec<usize>>> {
     let of = |i| {
         let unit = swarm.coordination(i);
         let place = |axis| {
-            unit.place(slot(axis)).ok_or_else(|| Error::internal("expected a desired position"))
+            unit.index(slot(axis)).ok_or_else(|| Error::internal("expected a desired position"))
         };
         swarm.axes().iter().map(place).collect::<Result<_>>()
     };
@@ -203,9 +203,9 @@ impl Row {
         let state: Vec<usize> = (var::X..known).collect();
         let mut wanted = vec![0.0; self.axes.len()];
         let mut read = [0.0; STATE];
-        for (i, places) in desired.iter().enumerate() {
-            master.numbers(Seat::coordination(i).place(), places, &mut wanted, step)?;
-            master.numbers(Seat::plant(i).place(), &state, &mut read, step)?;
+        for (i, indices) in desired.iter().enumerate() {
+            master.numbers(Seat::coordination(i).index(), indices, &mut wanted, step)?;
+            master.numbers(Seat::plant(i).index(), &state, &mut read, step)?;
             for (kept, x_d) in self.wanted.iter_mut().zip(&wanted) {
                 if let Some(kept) = kept.get_mut(i) {
                     *kept = *x_d;

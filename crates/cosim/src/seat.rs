@@ -34,19 +34,19 @@ impl Seat {
 
     /// Its index in a [`Wiring`](crate::wiring::Wiring): drone by drone, the units of a drone in the
     /// order of [`UnitName::ALL`].
-    pub fn place(self) -> usize {
-        UnitName::ALL.len() * self.drone + self.unit.place()
+    pub fn index(self) -> usize {
+        UnitName::ALL.len() * self.drone + self.unit.index()
     }
 
     /// The seat at an index.
-    pub fn at(place: usize) -> Self {
+    pub fn at(index: usize) -> Self {
         let [coordination, control, plant] = UnitName::ALL;
-        let unit = match place % UnitName::ALL.len() {
+        let unit = match index % UnitName::ALL.len() {
             0 => coordination,
             1 => control,
             _ => plant,
         };
-        Self { drone: place / UnitName::ALL.len(), unit }
+        Self { drone: index / UnitName::ALL.len(), unit }
     }
 
     /// The unit's name, unique in its co-simulation: `plant3`.
@@ -61,10 +61,10 @@ mod tests {
 
     #[test]
     fn seats_are_counted_through_without_a_gap() {
-        let places: Vec<usize> = Seat::all(4).map(Seat::place).collect();
-        assert_eq!(places, (0..12).collect::<Vec<_>>());
-        assert!(Seat::all(4).all(|seat| Seat::at(seat.place()) == seat));
-        assert_eq!(Seat::control(2).place(), 7);
+        let indices: Vec<usize> = Seat::all(4).map(Seat::index).collect();
+        assert_eq!(indices, (0..12).collect::<Vec<_>>());
+        assert!(Seat::all(4).all(|seat| Seat::at(seat.index()) == seat));
+        assert_eq!(Seat::control(2).index(), 7);
         assert_eq!(Seat::plant(3).name(), "plant3");
     }
 }

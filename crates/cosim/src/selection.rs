@@ -26,7 +26,7 @@ pub(super) fn select(
 ) -> Result<(Vec<Selected>, Vec<Series>)> {
     let (mut selected, mut series) = (Vec::new(), Vec::new());
     let mut used = vec![false; patterns.len()];
-    for (place, unit) in units.iter().enumerate() {
+    for (index, unit) in units.iter().enumerate() {
         let mut variables = Vec::new();
         for (variable, v) in unit.variables().iter().enumerate() {
             let name = format!("{}.{}", unit.name(), v.name);
@@ -42,7 +42,7 @@ pub(super) fn select(
             }
         }
         if !variables.is_empty() {
-            selected.push(Selected { unit: place, variables });
+            selected.push(Selected { unit: index, variables });
         }
     }
     let first: Vec<_> = units.iter().take(UnitName::ALL.len()).map(|u| names(u.as_ref())).collect();
@@ -83,9 +83,9 @@ fn matches(pattern: &str, name: &str) -> bool {
             }
             Some(c) if *c == '?' || Some(c) == name.get(n) => (p, n) = (p + 1, n + 1),
             _ => match star {
-                Some((place, taken)) => {
-                    star = Some((place, taken + 1));
-                    (p, n) = (place + 1, taken + 1);
+                Some((index, taken)) => {
+                    star = Some((index, taken + 1));
+                    (p, n) = (index + 1, taken + 1);
                 }
                 None => return false,
             },

@@ -74,7 +74,7 @@ impl Wiring {
         };
         let table = named.variables();
         match table.iter().position(|v| v.name == variable) {
-            Some(place) => Ok(Port { unit, variable: place }),
+            Some(index) => Ok(Port { unit, variable: index }),
             None => {
                 let known: Vec<_> = table.iter().map(|v| v.name.as_str()).collect();
                 let what = format!("is unknown: expected one of {}", known.join(", "));
@@ -109,12 +109,12 @@ impl Wiring {
     /// The new unit cannot be created.
     pub fn substitute(
         &mut self,
-        place: usize,
+        index: usize,
         other: impl FnOnce(Box<dyn Unit>) -> Result<Box<dyn Unit>>,
     ) -> Result<()> {
-        if place < self.units.len() {
-            let unit = self.units.remove(place);
-            self.units.insert(place, other(unit)?);
+        if index < self.units.len() {
+            let unit = self.units.remove(index);
+            self.units.insert(index, other(unit)?);
         }
         Ok(())
     }
@@ -145,9 +145,9 @@ impl Wiring {
             }
             self.check_driven_once(&mut driven, *port)?;
         }
-        for (place, unit) in self.units.iter().enumerate() {
+        for (index, unit) in self.units.iter().enumerate() {
             for (variable, v) in unit.variables().iter().enumerate() {
-                let port = Port { unit: place, variable };
+                let port = Port { unit: index, variable };
                 if v.causality == Causality::Input && !driven.contains(&port) {
                     let what = "is an input that nothing is connected to: expected a connection or a value to hold";
                     return Err(self.at(port, what));

@@ -32,8 +32,8 @@ pub fn prove(
         Answer::Proved(found) => written(args, folder, "", &found.certificate)?,
         _ => None,
     };
-    let claim = |place: usize| {
-        flow.system.claims.get(place).map_or("", |claim| claim.predicate.text.as_str())
+    let claim = |index: usize| {
+        flow.system.claims.get(index).map_or("", |claim| claim.predicate.text.as_str())
     };
     match format {
         OutputFormat::Text => {
@@ -59,10 +59,10 @@ pub fn prove(
                         decimal_string(&found.spare, 3)
                     )?;
                 }
-                Answer::Missed(place, by) => writeln!(
+                Answer::Missed(index, by) => writeln!(
                     out,
                     "  not proved: the best ellipsoids found miss `{}` by {by:.3}; that does not refute it",
-                    claim(*place)
+                    claim(*index)
                 )?,
                 Answer::Open => {
                     writeln!(out, "  not proved: no ellipsoid that no run leaves was found")?
@@ -84,8 +84,8 @@ pub fn prove(
                         "spare": fraction(&found.spare),
                         "file": file,
                     }),
-                    Answer::Missed(place, by) => {
-                        json!({ "proved": Value::Null, "missed": claim(*place), "by": by })
+                    Answer::Missed(index, by) => {
+                        json!({ "proved": Value::Null, "missed": claim(*index), "by": by })
                     }
                     Answer::Open => json!({ "proved": Value::Null }),
                 },

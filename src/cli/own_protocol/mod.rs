@@ -98,7 +98,7 @@ impl ProtocolArgs {
 
     /// The parameters with the values and ranges of `--set`.
     fn narrow(&self, parameters: &mut [Parameter]) -> Result<()> {
-        for (place, set) in self.set.iter().enumerate() {
+        for (index, set) in self.set.iter().enumerate() {
             let (name, values) = set.split_once('=').ok_or_else(|| {
                 Error::input(format!(
                     "set: `{}`: expected a parameter and its value, like `eps=1/3`",
@@ -107,7 +107,7 @@ impl ProtocolArgs {
             })?;
             let (low, high) = range::closed(&format!("set: {}", shortened(name)), values)?;
             let again = |other: &String| other.split_once('=').is_some_and(|(n, _)| n == name);
-            if self.set.iter().take(place).any(again) {
+            if self.set.iter().take(index).any(again) {
                 let name = shortened(name);
                 return Err(Error::input(format!("set: `{name}` occurs twice: expected it once")));
             }

@@ -184,10 +184,10 @@ pub(super) fn every_number(
         Ok(found) => found,
         Err(reason) => return Ok(none(reason)),
     };
-    let text = |place: usize| family.claims.get(place).map_or("", |c| c.text.as_str());
-    let reason = found.open.first().map(|(place, why)| match family.claims.len() {
+    let text = |index: usize| family.claims.get(index).map_or("", |c| c.text.as_str());
+    let reason = found.open.first().map(|(index, why)| match family.claims.len() {
         1 => why.clone(),
-        _ => format!("`{}`: {why}", shortened(text(*place))),
+        _ => format!("`{}`: {why}", shortened(text(*index))),
     });
     let Some(certificate) = &found.certificate else {
         return Ok(none(reason.unwrap_or_default()));
@@ -195,11 +195,11 @@ pub(super) fn every_number(
     if let Some(reason) = beyond_the_checker(certificate)? {
         return Ok(none(reason));
     }
-    let is_open = |place: usize| found.open.iter().any(|(open, _)| *open == place);
-    let proved = (0..family.claims.len()).filter(|&place| !is_open(place));
+    let is_open = |index: usize| found.open.iter().any(|(open, _)| *open == index);
+    let proved = (0..family.claims.len()).filter(|&index| !is_open(index));
     Ok(EveryNumber {
         proved: found.open.is_empty(),
-        claims: proved.map(|place| text(place).to_owned()).collect(),
+        claims: proved.map(|index| text(index).to_owned()).collect(),
         reason,
         clauses: Some(found.invariant),
         file: written(args, folder, "-every-n", certificate)?,

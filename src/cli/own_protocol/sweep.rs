@@ -61,15 +61,15 @@ pub fn sweep(
         out.flush()?;
     }
     let mut rows = Vec::new();
-    for (text, places) in system.written_claims() {
+    for (text, indices) in system.written_claims() {
         let mut one = system.clone();
-        one.claims = places.iter().filter_map(|&j| system.claims.get(j).cloned()).collect();
+        one.claims = indices.iter().filter_map(|&j| system.claims.get(j).cloned()).collect();
         let (run, steps) = match &tried {
-            Some(tried) => (first_failure(&one, tried, &places), extent.steps),
+            Some(tried) => (first_failure(&one, tried, &indices), extent.steps),
             None => claims::refute(&one, &constants, None, extent.steps),
         };
         // The run's claim by its place among all.
-        let run = run.map(|run| Run { claim: places.get(run.claim).copied().unwrap_or(0), ..run });
+        let run = run.map(|run| Run { claim: indices.get(run.claim).copied().unwrap_or(0), ..run });
         let first = one.claims.first();
         let is_later = first.is_some_and(|claim| claim.from > extent.steps);
         let no_start = tried.as_ref().is_some_and(|t| t.starts == 0);
@@ -164,8 +164,8 @@ pub fn sweep(
 }
 
 /// The run in which the first of some claims fails.
-fn first_failure(system: &System, tried: &Tried, places: &[usize]) -> Option<Run> {
-    let failures = places.iter().filter_map(|place| tried.failures.get(place));
+fn first_failure(system: &System, tried: &Tried, indices: &[usize]) -> Option<Run> {
+    let failures = indices.iter().filter_map(|index| tried.failures.get(index));
     let first = failures.min_by_key(|f| f.step)?;
     claims::refute(system, std::slice::from_ref(&first.values), Some(&first.start), first.step).0
 }

@@ -60,8 +60,8 @@ pub fn theorems(
     }
     let known = if check { Some(known(args, file, system)?) } else { None };
     let mut rows: Vec<(String, String)> = Vec::new();
-    for (claim, places) in system.written_claims() {
-        let first = places.first().and_then(|&j| system.claims.get(j));
+    for (claim, indices) in system.written_claims() {
+        let first = indices.first().and_then(|&j| system.claims.get(j));
         rows.push((claim.to_owned(), first.map_or_else(String::new, when)));
     }
     if let Some(to) = &system.converges {
@@ -71,20 +71,20 @@ pub fn theorems(
         };
         rows.push((claim.to_owned(), String::new()));
     }
-    let of = |place: usize| known.as_ref().and_then(|known| known.get(place));
+    let of = |index: usize| known.as_ref().and_then(|known| known.get(index));
     if text {
-        for (place, (claim, about)) in rows.iter().enumerate() {
-            writeln!(out, "  claim {}  {claim}{about}", place + 1)?;
-            if let Some(known) = of(place) {
+        for (index, (claim, about)) in rows.iter().enumerate() {
+            writeln!(out, "  claim {}  {claim}{about}", index + 1)?;
+            if let Some(known) = of(index) {
                 known_text(args, system, known, out)?;
             }
         }
     } else {
-        let row = |(place, (claim, about)): (usize, &(String, String))| -> Value {
+        let row = |(index, (claim, about)): (usize, &(String, String))| -> Value {
             json!({
                 "claim": claim,
                 "when": about.trim_start_matches(", "),
-                "known": of(place).map(|known| known_json(args, system, known)),
+                "known": of(index).map(|known| known_json(args, system, known)),
             })
         };
         let mut page = head(system);
@@ -122,13 +122,13 @@ fn known(args: &ProtocolArgs, file: &ProtocolFile, system: &System) -> Result<Ve
         };
         all.extend(written.iter().map(|(claim, _)| known(claim)));
     } else {
-        for (claim, places) in &written {
+        for (claim, indices) in &written {
             if is_for_every(claim) {
                 all.push(Known::EveryNumber);
                 continue;
             }
             let mut one = system.clone();
-            one.claims = places.iter().filter_map(|&j| system.claims.get(j).cloned()).collect();
+            one.claims = indices.iter().filter_map(|&j| system.claims.get(j).cloned()).collect();
             let (proved, failure) = match claims::prove_within(&one, &claims::PROOF) {
                 Ok(found) => (prove::certified(&found)?.is_ok(), None),
                 Err(Unproved::Fails(run)) => (false, Some(*run)),
@@ -143,7 +143,7 @@ fn known(args: &ProtocolArgs, file: &ProtocolFile, system: &System) -> Result<Ve
             let (found, complete) = claims::refute(&one, &constants, None, search.steps);
             all.push(match found.or(failure) {
                 Some(run) => {
-                    let claim = places.get(run.claim).copied().unwrap_or(0);
+                    let claim = indices.get(run.claim).copied().unwrap_or(0);
                     Known::Fails(Box::new(Run { claim, ..run }))
                 }
                 None => Known::Open(Some(complete)),

@@ -55,7 +55,7 @@ pub fn threshold(
             )));
         }
     };
-    let Some(place) = system.parameters.iter().position(|p| ranges(&p) && p.name == wanted) else {
+    let Some(index) = system.parameters.iter().position(|p| ranges(&p) && p.name == wanted) else {
         return Err(Error::input(format!(
             "parameter: `{wanted}`: expected a parameter with a range: {}",
             if names.is_empty() { "there is none".to_owned() } else { names.join(", ") }
@@ -65,7 +65,7 @@ pub fn threshold(
         writeln!(out, "{}", headline(system))?;
         out.flush()?;
     }
-    let (found, ends) = critical(system, place, property, digits)?;
+    let (found, ends) = critical(system, index, property, digits)?;
     match format {
         OutputFormat::Text => match &found {
             Some(bracket) => bracketed(wanted, property, bracket, digits, out)?,

@@ -110,12 +110,12 @@ fn a_multi_model_with_a_foreign_plant_its_configuration_and_uris_flies() {
     assert_eq!(run(&args).0, 0);
     let text = fs::read_to_string(exported.join("multi-model.json")).unwrap();
     let mut model: serde_json::Value = serde_json::from_str(&text).unwrap();
-    for (place, file) in ["coordination_double", "control", "plant"].iter().enumerate() {
+    for (index, file) in ["coordination_double", "control", "plant"].iter().enumerate() {
         let name = format!("cordon_{file}.fmu");
         fs::rename(exported.join(&name), project.join("FMUs").join(&name)).unwrap();
         // By its name, by URIs with three and four slashes.
         let path = project.join("FMUs").join(&name).display().to_string().replace(' ', "%20");
-        let uri = [name, format!("file://{path}"), format!("file:///{path}")][place].clone();
+        let uri = [name, format!("file://{path}"), format!("file:///{path}")][index].clone();
         model["fmus"][format!("{{cordon_{file}}}")] = uri.into();
     }
     // Drone 2 gets the other plant.

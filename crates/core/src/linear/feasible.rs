@@ -107,7 +107,7 @@ impl<'g> Premises<'g> {
         // Columns: one per constraint, the negative parts for the equations, the rest.
         let mut rows = vec![Vec::new(); variables + 1];
         for (i, (constant, coefficients)) in parts.into_iter().enumerate() {
-            let negative = equations.binary_search(&i).ok().map(|place| given.len() + place);
+            let negative = equations.binary_search(&i).ok().map(|index| given.len() + index);
             let entries = coefficients.iter().enumerate().chain([(variables, constant)]);
             for (j, a) in entries.filter(|(_, a)| !a.is_zero()) {
                 rows[j].push((i, a.clone()));
@@ -160,8 +160,8 @@ impl<'g> Premises<'g> {
             }
         };
         let mut m: Vec<Rational> = solution.get(..self.given.len())?.to_vec();
-        for (place, &i) in self.equations.iter().enumerate() {
-            m[i] -= solution.get(self.given.len() + place)?;
+        for (index, &i) in self.equations.iter().enumerate() {
+            m[i] -= solution.get(self.given.len() + index)?;
         }
         Some(m)
     }

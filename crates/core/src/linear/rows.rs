@@ -46,20 +46,20 @@ impl<T: Scalar + PartialEq> Stencil<T> {
                 let w = self.weights(Role::of(drone, count));
                 let neighbours = [drone.saturating_sub(1), drone, (drone + 1).min(last)];
                 let places = [0, last].into_iter().chain(neighbours);
-                for (place, weight) in places.zip(w.as_array()) {
-                    let sum = difference.remove(&place).unwrap_or_else(|| zero.clone());
-                    difference.insert(place, if is_upper { sum + weight } else { sum - weight });
+                for (index, weight) in places.zip(w.as_array()) {
+                    let sum = difference.remove(&index).unwrap_or_else(|| zero.clone());
+                    difference.insert(index, if is_upper { sum + weight } else { sum - weight });
                 }
             }
             // Summation by parts: the gap after place j counts the weights up to j, negated.
             let (from, to) = (*difference.keys().next()?, *difference.keys().next_back()?);
             let mut taken = T::from_int(0);
             let mut entries = Vec::new();
-            for place in from..=to {
-                if let Some(weight) = difference.get(&place) {
+            for index in from..=to {
+                if let Some(weight) = difference.get(&index) {
                     taken = taken - weight;
                 }
-                entries.push((place, taken.clone()));
+                entries.push((index, taken.clone()));
             }
             (taken == zero).then(|| without_zeros(entries))
         };

@@ -139,8 +139,8 @@ impl fmt::Display for Polynomial {
         if self.is_zero() {
             return write!(f, "0");
         }
-        for (place, (m, c)) in self.0.iter().enumerate() {
-            match (place, c.is_negative()) {
+        for (index, (m, c)) in self.0.iter().enumerate() {
+            match (index, c.is_negative()) {
                 (0, false) => {}
                 (0, true) => write!(f, "-")?,
                 (_, false) => write!(f, " + ")?,

@@ -35,8 +35,8 @@ impl Row {
 
     /// The entry in a column.
     pub fn at(&self, column: usize) -> &Int {
-        let place = self.entries.binary_search_by_key(&column, |(j, _)| *j);
-        place.ok().and_then(|i| self.entries.get(i)).map_or(ZERO, |(_, x)| x)
+        let index = self.entries.binary_search_by_key(&column, |(j, _)| *j);
+        index.ok().and_then(|i| self.entries.get(i)).map_or(ZERO, |(_, x)| x)
     }
 
     /// The entries that are not zero, by column.

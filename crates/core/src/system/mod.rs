@@ -100,7 +100,7 @@ struct Names<'s>(&'s System);
 impl Meaning for Names<'_> {
     fn name(&self, name: &str) -> std::result::Result<Polynomial, String> {
         match self.0.state.iter().position(|s| s == name) {
-            Some(place) => Ok(Polynomial::variable(u32::try_from(place).unwrap_or(u32::MAX))),
+            Some(index) => Ok(Polynomial::variable(u32::try_from(index).unwrap_or(u32::MAX))),
             None => Err(format!("`{name}`: expected a state variable")),
         }
     }
@@ -261,14 +261,14 @@ impl System {
     /// The claims as written, in order, each with the indices of the claims that it stands for.
     pub fn written_claims(&self) -> Vec<(&str, Vec<usize>)> {
         let mut groups: Vec<(&Claim, Vec<usize>)> = Vec::new();
-        for (place, claim) in self.claims.iter().enumerate() {
+        for (index, claim) in self.claims.iter().enumerate() {
             let same = |c: &Claim| {
                 (c.predicate.written(), c.from, c.until)
                     == (claim.predicate.written(), claim.from, claim.until)
             };
             match groups.last_mut().filter(|(first, _)| same(first)) {
-                Some((_, group)) => group.push(place),
-                None => groups.push((claim, vec![place])),
+                Some((_, group)) => group.push(index),
+                None => groups.push((claim, vec![index])),
             }
         }
         groups.into_iter().map(|(first, places)| (first.predicate.written(), places)).collect()

@@ -122,8 +122,8 @@ impl Machine {
             }
             Self::Star(star, s) => {
                 *s = s.take().map(|mut s| {
-                    for (place, x) in s.drones.iter_mut().skip(1).zip(heard) {
-                        *place = x;
+                    for (known, x) in s.drones.iter_mut().skip(1).zip(heard) {
+                        *known = x;
                     }
                     let hub = Hub { count: s.drones.len() };
                     s.tick_with(star.counter_limit, |x| match &star.displacements {
@@ -178,8 +178,8 @@ impl Machine {
                 }
             }
             Self::Star(_, s) => {
-                if let Some(place) = s.as_mut().and_then(|s| s.drones.first_mut()) {
-                    *place = own;
+                if let Some(first) = s.as_mut().and_then(|s| s.drones.first_mut()) {
+                    *first = own;
                 }
             }
             Self::Own(machine) => machine.put_back(own),

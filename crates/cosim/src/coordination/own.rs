@@ -26,7 +26,7 @@ pub(crate) const ACROSS: &str = "y";
 /// Which variable of an agent of a planar protocol is its position across the line.
 pub(crate) fn across_of(system: &System) -> Option<usize> {
     let found = system.variables.iter().position(|v| v.name == ACROSS);
-    found.filter(|place| *place != position_of(system))
+    found.filter(|index| *index != position_of(system))
 }
 
 /// A protocol file's rule for one drone: the same in every step, or several in turn.
@@ -181,8 +181,8 @@ pub(super) struct OwnMachine {
 impl OwnMachine {
     pub fn new(law: &OwnLaw, position: Quotient, limit: u32, phase: Phase) -> Self {
         let mut state: Vec<Quotient> = law.start.iter().map(Quotient::from).collect();
-        if let Some(place) = state.get_mut(law.position) {
-            *place = position;
+        if let Some(x) = state.get_mut(law.position) {
+            *x = position;
         }
         let counter = match phase {
             Phase::First => limit,
@@ -232,8 +232,8 @@ impl OwnMachine {
     /// Undoes the last update of all variables: it was skipped.
     pub fn put_back(&mut self, own: Quotient) {
         self.state = self.before.clone();
-        if let Some(place) = self.state.get_mut(self.law.position) {
-            *place = own;
+        if let Some(x) = self.state.get_mut(self.law.position) {
+            *x = own;
         }
     }
 

@@ -105,8 +105,8 @@ impl Cosimulation {
 }
 
 pub(super) fn port(unit: &Coordination, drone: usize, slot: Slot) -> Result<Port> {
-    match unit.place(slot) {
-        Some(variable) => Ok(Port { unit: Seat::coordination(drone).place(), variable }),
+    match unit.index(slot) {
+        Some(variable) => Ok(Port { unit: Seat::coordination(drone).index(), variable }),
         None => Err(Error::internal(format!("unit `{}` has no variable {slot:?}", unit.name()))),
     }
 }

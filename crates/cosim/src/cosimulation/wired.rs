@@ -70,7 +70,7 @@ impl Cosimulation {
                 )));
             }
             let seat = Seat { drone: substitute.drone, unit: substitute.unit };
-            wiring.substitute(seat.place(), |unit| self.load.load(substitute, unit))?;
+            wiring.substitute(seat.index(), |unit| self.load.load(substitute, unit))?;
         }
         Ok(wiring)
     }
@@ -116,7 +116,7 @@ impl Cosimulation {
         let faults = faults::Plan::new(&self.faults, self.seed, count, &self.grid)?;
         let sent = coordination
             .first()
-            .and_then(|u| u.place(Slot::Own))
+            .and_then(|u| u.index(Slot::Own))
             .map_or(Slot::Desired, |_| Slot::Own);
         for i in 0..count {
             for (j, output, input) in self.heard(i, sent) {
@@ -143,13 +143,13 @@ impl Cosimulation {
                 }
             }
             for &(output, input) in &body.desired {
-                let to = Port { unit: Seat::control(i).place(), variable: input };
+                let to = Port { unit: Seat::control(i).index(), variable: input };
                 wiring.connect(port(i, output)?, to, Timing::Sampled);
             }
             body.connect(&mut wiring, i);
         }
         for (drone, steps) in faults.drop_outs {
-            wiring.outage(Seat::coordination(drone).place(), steps);
+            wiring.outage(Seat::coordination(drone).index(), steps);
         }
         Ok(wiring)
     }
@@ -188,8 +188,8 @@ pub(crate) struct Body<'b> {
 
 impl Body<'_> {
     fn connect(&self, wiring: &mut Wiring, drone: usize) {
-        let control = |variable| Port { unit: Seat::control(drone).place(), variable };
-        let plant = |variable| Port { unit: Seat::plant(drone).place(), variable };
+        let control = |variable| Port { unit: Seat::control(drone).index(), variable };
+        let plant = |variable| Port { unit: Seat::plant(drone).index(), variable };
         for (k, input) in self.state.clone().enumerate() {
             wiring.connect(plant(self.first_output + k), control(input), Timing::Sampled);
         }

@@ -196,8 +196,8 @@ impl Fmu {
         let folder = Folder::new()?;
         let mut archive = opened(&self.path)?;
         let mut left = LARGEST_CONTENT;
-        for place in 0..archive.len() {
-            let mut file = archive.by_index(place).map_err(|e| failed(&e))?;
+        for index in 0..archive.len() {
+            let mut file = archive.by_index(index).map_err(|e| failed(&e))?;
             let Some(inside) = file.enclosed_name() else {
                 let name = file.name();
                 return Err(fail(format!("`{name}`: expected a path inside the archive")));
@@ -255,9 +255,9 @@ mod tests {
                 assert_eq!(fmu.version(), version);
                 assert_eq!(fmu.model().map(Model::identifier), Some(model.identifier()));
                 assert_eq!(fmu.description.model_name, model.identifier());
-                for (place, v) in model.variables().iter().enumerate() {
+                for (index, v) in model.variables().iter().enumerate() {
                     let read = fmu.variable(&v.name).unwrap();
-                    assert_eq!(read.reference as usize, place);
+                    assert_eq!(read.reference as usize, index);
                     assert_eq!(read.causality, v.causality.name());
                     compared += 1;
                 }

@@ -210,10 +210,10 @@ fn time_3(xml: &mut Xml, reference: usize) -> Result<()> {
 
 /// The reference to a variable in the model structure: in FMI 2.0 an index from 1, in FMI 3.0 the value
 /// reference.
-fn pointer(version: FmiVersion, place: usize) -> String {
+fn pointer(version: FmiVersion, index: usize) -> String {
     match version {
-        FmiVersion::V2 => (place + 1).to_string(),
-        FmiVersion::V3 => place.to_string(),
+        FmiVersion::V2 => (index + 1).to_string(),
+        FmiVersion::V3 => index.to_string(),
     }
 }
 
@@ -229,18 +229,18 @@ fn structure(
     };
     let outputs: Vec<(usize, &Variable)> =
         variables.iter().enumerate().filter(|(_, v)| v.causality == Causality::Output).collect();
-    let unknown = |xml: &mut Xml, element: &str, place: usize, on: &[usize]| -> Result<()> {
+    let unknown = |xml: &mut Xml, element: &str, index: usize, on: &[usize]| -> Result<()> {
         let on: Vec<String> = on.iter().map(|p| pointer(version, *p)).collect();
         xml.create_element(element)
-            .with_attribute((attribute, pointer(version, place).as_str()))
+            .with_attribute((attribute, pointer(version, index).as_str()))
             .with_attribute(("dependencies", on.join(" ").as_str()))
             .write_empty()?;
         Ok(())
     };
     let initially = |output: &Variable| -> Vec<usize> {
         let on = model.initial_dependencies(&output.name);
-        let place = variables.iter().position(|v| Some(&v.name) == on.as_ref());
-        place.into_iter().collect()
+        let index = variables.iter().position(|v| Some(&v.name) == on.as_ref());
+        index.into_iter().collect()
     };
     xml.create_element("ModelStructure").write_inner_content(|xml| {
         match version {
@@ -255,11 +255,11 @@ fn structure(
                 })?;
             }
             FmiVersion::V3 => {
-                for (place, v) in &outputs {
-                    unknown(xml, "Output", *place, &v.feedthrough)?;
+                for (index, v) in &outputs {
+                    unknown(xml, "Output", *index, &v.feedthrough)?;
                 }
-                for (place, v) in &outputs {
-                    unknown(xml, "InitialUnknown", *place, &initially(v))?;
+                for (index, v) in &outputs {
+                    unknown(xml, "InitialUnknown", *index, &initially(v))?;
                 }
             }
         }

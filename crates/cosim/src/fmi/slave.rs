@@ -232,8 +232,8 @@ impl Slave {
     }
 
     fn variable(&self, reference: u32) -> Result<(usize, &Variable), Refusal> {
-        let place = usize::try_from(reference).unwrap_or(usize::MAX);
-        self.variables.get(place).map(|v| (place, v)).ok_or_else(|| {
+        let index = usize::try_from(reference).unwrap_or(usize::MAX);
+        self.variables.get(index).map(|v| (index, v)).ok_or_else(|| {
             let count = self.variables.len();
             Refusal::error(format!("value reference {reference}: expected less than {count}"))
         })
@@ -244,7 +244,7 @@ impl Slave {
     /// # Errors
     /// No such variable, wrong mode, wrong type, not finite, or out of range.
     pub fn set(&mut self, reference: u32, value: &Value) -> Result<(), Refusal> {
-        let (place, variable) = self.variable(reference)?;
+        let (index, variable) = self.variable(reference)?;
         let allowed: &[Mode] = match variable.causality {
             Causality::Parameter => &[Mode::Instantiated, Mode::Initialisation],
             _ => &[Mode::Instantiated, Mode::Initialisation, Mode::Step],
@@ -291,14 +291,14 @@ impl Slave {
                 )));
             }
         } else {
-            self.unit.set(place, &value)?;
+            self.unit.set(index, &value)?;
         }
         self.stale = true;
         Ok(())
     }
 
     fn get(&mut self, reference: u32, wanted: &[Kind]) -> Result<Value, Refusal> {
-        let (place, variable) = self.variable(reference)?;
+        let (index, variable) = self.variable(reference)?;
         let kind = variable.kind();
         if !wanted.contains(&kind) {
             let name = &variable.name;
@@ -313,7 +313,7 @@ impl Slave {
             return Err(Refusal::fatal("reading: the instance is no longer usable"));
         }
         self.settle()?;
-        Ok(self.unit.get(place)?)
+        Ok(self.unit.get(index)?)
     }
 
     /// The value of a real variable, or of the time, whose reference follows those of the variables.
@@ -416,11 +416,11 @@ impl Slave {
         let allowed = [Mode::Instantiated, Mode::Initialisation, Mode::Step, Mode::Terminated];
         self.expect_mode("keeping the state", &allowed)?;
         let mut settable = Vec::with_capacity(self.variables.len());
-        for (place, variable) in self.variables.iter().enumerate() {
+        for (index, variable) in self.variables.iter().enumerate() {
             settable.push(match variable.causality {
                 _ if variable.name == TAU => Some(self.model.tau_value(&self.tau)),
                 _ if variable.name == START_INPUTS => Some(Value::Boolean(self.start_inputs)),
-                Causality::Parameter | Causality::Input => Some(self.unit.get(place)?),
+                Causality::Parameter | Causality::Input => Some(self.unit.get(index)?),
                 Causality::Output | Causality::Local => None,
             });
         }

@@ -56,8 +56,8 @@ pub(crate) fn write<'v>(
 /// Exponents of the base units of a symbol like `kg.m2`, `m/s2` or `m.s-1`.
 pub(crate) fn base_units(symbol: &str) -> Vec<(String, i32)> {
     let mut exponents: Vec<(String, i32)> = Vec::new();
-    for (place, part) in symbol.split('/').enumerate() {
-        let sign = if place == 0 { 1 } else { -1 };
+    for (index, part) in symbol.split('/').enumerate() {
+        let sign = if index == 0 { 1 } else { -1 };
         for factor in part.split('.').filter(|f| *f != "1") {
             let is_exponent = |c: char| c.is_ascii_digit() || c == '-' || c == '+';
             let name = factor.trim_end_matches(is_exponent);

@@ -190,11 +190,11 @@ fn expect_plain(swarm: &Cosimulation) -> Result<()> {
 /// The parameters that differ from the model's start values.
 fn parameters(model: &Model, unit: &dyn Unit) -> Result<Vec<(String, Value)>> {
     let mut changed = Vec::new();
-    for (place, (variable, start)) in unit.variables().iter().zip(model.variables()).enumerate() {
+    for (index, (variable, start)) in unit.variables().iter().zip(model.variables()).enumerate() {
         if variable.causality != Causality::Parameter {
             continue;
         }
-        let value = unit.get(place)?;
+        let value = unit.get(index)?;
         if value != start.start {
             changed.push((variable.name.clone(), value));
         }

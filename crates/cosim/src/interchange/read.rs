@@ -141,14 +141,14 @@ impl System {
         }
         let count = by_id.len();
         let mut drones = Vec::with_capacity(count);
-        for (place, (id, (coordination, model))) in by_id.into_iter().enumerate() {
+        for (index, (id, (coordination, model))) in by_id.into_iter().enumerate() {
             let said: usize = match model {
                 Model::Protocol(_, carried) => carried.own.system.agents,
                 _ => self.whole(&coordination, model, "count")?,
             };
-            if id != place || said != count {
+            if id != index || said != count {
                 return Err(Error::input(format!(
-                    "{coordination}: drone {id} of {said}: expected drone {place} of {count}, \
+                    "{coordination}: drone {id} of {said}: expected drone {index} of {count}, \
                      as many as there are"
                 )));
             }
@@ -183,8 +183,8 @@ impl System {
         let models = [Some(model), self.model_of(&control), self.model_of(&plant)];
         let models = models.map(Option::<&Model>::cloned);
         let expected = [(1, Model::Control, &control), (2, Model::Plant, &plant)];
-        for (place, wanted, instance) in expected {
-            if models[place].as_ref().is_some_and(|m| *m != wanted) {
+        for (index, wanted, instance) in expected {
+            if models[index].as_ref().is_some_and(|m| *m != wanted) {
                 return Err(Error::input(format!(
                     "{instance}: expected `{}` here, or an FMU of another tool",
                     wanted.identifier()
@@ -390,8 +390,8 @@ impl System {
     fn substitutes(&self, drones: &[Drone], names: &Names) -> Result<Vec<Substitute>> {
         let mut substitutes = Vec::new();
         for (drone, d) in drones.iter().enumerate() {
-            for (place, unit) in UnitName::ALL.into_iter().enumerate() {
-                let (Some(instance), Some(None)) = (d.units.get(place), d.models.get(place)) else {
+            for (index, unit) in UnitName::ALL.into_iter().enumerate() {
+                let (Some(instance), Some(None)) = (d.units.get(index), d.models.get(index)) else {
                     continue;
                 };
                 let Some(fmu) = self.fmus.get(&instance.fmu) else { continue };
@@ -415,14 +415,14 @@ impl System {
 }
 
 /// The first instance of a given kind (index among a drone's units) that is a unit of this program.
-fn first(drones: &[Drone], place: usize) -> Option<(&Instance, &Model)> {
-    drones.iter().find_map(|d| Some((d.units.get(place)?, d.models.get(place)?.as_ref()?)))
+fn first(drones: &[Drone], index: usize) -> Option<(&Instance, &Model)> {
+    drones.iter().find_map(|d| Some((d.units.get(index)?, d.models.get(index)?.as_ref()?)))
 }
 
 fn unit_at(drones: &[Drone], seat: Seat) -> Option<(&Instance, Option<&Model>)> {
     let drone = drones.get(seat.drone)?;
-    let place = seat.unit.place();
-    Some((drone.units.get(place)?, drone.models.get(place)?.as_ref()))
+    let index = seat.unit.index();
+    Some((drone.units.get(index)?, drone.models.get(index)?.as_ref()))
 }
 
 /// The names that FMUs of other tools use for the variables of the units that they replace.

@@ -60,11 +60,11 @@ struct Lines {
 impl Lines {
     fn line(&mut self, record: &Record, row: usize, text: &mut Vec<u8>) {
         number(record.times.get(row).copied().unwrap_or_default(), text);
-        for (place, (_, numbers)) in record.positions().enumerate() {
-            if self.blocks.len() == place {
+        for (index, (_, numbers)) in record.positions().enumerate() {
+            if self.blocks.len() == index {
                 self.blocks.push(Vec::new());
             }
-            let Some(block) = self.blocks.get_mut(place) else { continue };
+            let Some(block) = self.blocks.get_mut(index) else { continue };
             let now = record.at(numbers, row);
             let before = row.checked_sub(1).map(|row| record.at(numbers, row));
             let same = |a: &[f64]| a.iter().zip(now).all(|(a, b)| a.to_bits() == b.to_bits());

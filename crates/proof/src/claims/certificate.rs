@@ -53,10 +53,10 @@ pub fn certificate(system: &System, proof: &Proof) -> Option<Value> {
     let automaton = Automaton::of(system);
     // The place of every row among those of its moment.
     let mut nodes: BTreeMap<String, Vec<String>> = BTreeMap::new();
-    let mut place = Vec::new();
+    let mut index = Vec::new();
     for row in &proof.rows {
         let node = nodes.entry(automaton.names.get(row.moment)?.clone()).or_default();
-        place.push(node.len());
+        index.push(node.len());
         node.push(literal(system, &row.is)?);
     }
     let sparse =
@@ -79,7 +79,7 @@ pub fn certificate(system: &System, proof: &Proof) -> Option<Value> {
         let mut multipliers = Vec::new();
         for (j, _) in of_moment(edge.to) {
             let corners = proof.kept.iter().filter(|k| k.row == j && k.edge == e);
-            let rows = corners.map(|k| sparse(&k.multipliers, &|j| place.get(j).copied()));
+            let rows = corners.map(|k| sparse(&k.multipliers, &|j| index.get(j).copied()));
             multipliers.push(rows.collect::<Option<Vec<_>>>()?);
         }
         edges.push(Edge {
@@ -100,7 +100,7 @@ pub fn certificate(system: &System, proof: &Proof) -> Option<Value> {
                 claims.push(NodeClaim {
                     at: automaton.names.get(moment)?.clone(),
                     holds: literal(system, &is)?,
-                    multipliers: [(*place.get(row)?, "1".to_owned())].into(),
+                    multipliers: [(*index.get(row)?, "1".to_owned())].into(),
                 });
             }
         }

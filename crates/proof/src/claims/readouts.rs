@@ -88,7 +88,7 @@ impl Readouts {
     pub fn quotient(&self, mode: &Mode) -> Option<QuotientRows> {
         // On readouts y the state is a base point plus a combination of them; where it starts from is 0 for
         // differences, and the targets for errors.
-        let place: BTreeMap<usize, usize> =
+        let index: BTreeMap<usize, usize> =
             self.all.iter().enumerate().map(|(y, (j, _))| (*j, y)).collect();
         let reference: BTreeMap<usize, &Reference> =
             self.all.iter().map(|(j, r)| (*j, r)).collect();
@@ -124,11 +124,11 @@ impl Readouts {
                     Some((j, Some(Reference::Agent(r)))) => {
                         let sum = left.remove(r).unwrap_or_default();
                         left.insert(*r, sum + &a);
-                        made.insert(*place.get(&j)?, a);
+                        made.insert(*index.get(&j)?, a);
                     }
                     Some((j, Some(Reference::Target(t)))) => {
                         rest = rest + &(a.clone() * &Polynomial::constant(t.clone()));
-                        made.insert(*place.get(&j)?, a);
+                        made.insert(*index.get(&j)?, a);
                     }
                 }
             }

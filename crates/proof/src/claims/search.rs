@@ -550,16 +550,16 @@ impl<'s> Search<'s> {
         base: Vec<Option<Vec<(usize, Rational)>>>,
         kept: Vec<Vec<Kept>>,
     ) {
-        let mut place = vec![usize::MAX; gone.len()];
+        let mut index = vec![usize::MAX; gone.len()];
         let mut rows = Vec::new();
         for (j, row) in self.rows.drain(..).enumerate() {
             if gone.get(j) == Some(&false) {
-                place[j] = rows.len();
+                index[j] = rows.len();
                 rows.push(row);
             }
         }
         self.rows = rows;
-        let at = |j: usize| place.get(j).copied().unwrap_or(usize::MAX);
+        let at = |j: usize| index.get(j).copied().unwrap_or(usize::MAX);
         for (j, multipliers) in base.into_iter().enumerate() {
             if let (Some(m), false) = (multipliers, at(j) == usize::MAX) {
                 self.base.push((at(j), m));

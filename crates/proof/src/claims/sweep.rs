@@ -67,16 +67,16 @@ pub fn on_grid(
             let mut states = BTreeSet::from([start.clone()]);
             for step in 0..=steps {
                 tried.states += states.len() as u64;
-                for (place, claim) in system.claims.iter().enumerate() {
+                for (index, claim) in system.claims.iter().enumerate() {
                     let earlier = |f: &Failure| f.step <= step;
-                    let known = tried.failures.get(&place).is_some_and(earlier);
+                    let known = tried.failures.get(&index).is_some_and(earlier);
                     if claim.is_about(step)
                         && !known
                         && states.iter().any(|x| !claim.predicate.holds(x))
                     {
                         let failure =
                             Failure { values: values.clone(), start: start.clone(), step };
-                        tried.failures.insert(place, failure);
+                        tried.failures.insert(index, failure);
                     }
                 }
                 if step < steps {

@@ -98,16 +98,16 @@ fn corners(system: &System, constants: &[Rational], mode: usize) -> Vec<Vec<Rati
         varying.filter(|(j, p)| varies(p) && occurring.contains(j)).map(|(j, _)| j).collect();
     let with = |is_high: &dyn Fn(usize) -> bool| {
         let mut values = constants.to_vec();
-        for (place, &j) in varying.iter().enumerate() {
+        for (index, &j) in varying.iter().enumerate() {
             if let (Some(slot), Some(p)) = (values.get_mut(j), system.parameters.get(j)) {
-                *slot = if is_high(place) { p.high.clone() } else { p.low.clone() };
+                *slot = if is_high(index) { p.high.clone() } else { p.low.clone() };
             }
         }
         values
     };
     let count = u32::try_from(varying.len()).ok().and_then(|n| 1_usize.checked_shl(n));
     match count.filter(|&count| count <= MOST_OPTIONS) {
-        Some(count) => (0..count).map(|bits| with(&|place| bits >> place & 1 == 1)).collect(),
+        Some(count) => (0..count).map(|bits| with(&|index| bits >> index & 1 == 1)).collect(),
         None => vec![with(&|_| false), with(&|_| true)],
     }
 }

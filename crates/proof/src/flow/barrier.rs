@@ -28,14 +28,14 @@ impl Block {
         if by == 0.0 {
             return;
         }
-        let place = match self.coefficients.iter().position(|(v, _)| *v == variable) {
-            Some(place) => place,
+        let index = match self.coefficients.iter().position(|(v, _)| *v == variable) {
+            Some(index) => index,
             None => {
                 self.coefficients.push((variable, Vec::new()));
                 self.coefficients.len() - 1
             }
         };
-        let entries = &mut self.coefficients[place].1;
+        let entries = &mut self.coefficients[index].1;
         for (i, j) in if i == j { vec![(i, j)] } else { vec![(i, j), (j, i)] } {
             match entries.iter_mut().find(|(r, c, _)| (*r, *c) == (i, j)) {
                 Some((.., x)) => *x += by,

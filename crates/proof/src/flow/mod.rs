@@ -325,10 +325,10 @@ impl<'f> Search<'f> {
 
     /// The claim with the worst margin, and that.
     fn margin(&self, plan: &Plan, x: &[f64]) -> (usize, f64) {
-        let of = |(place, claim): (usize, &Constraint), node: usize| {
+        let of = |(index, claim): (usize, &Constraint), node: usize| {
             let margin =
                 self.at_centre(&claim.form, node, x) - self.width(&claim.form, node, x).sqrt();
-            (place, margin)
+            (index, margin)
         };
         let nodes = 0..plan.names.len();
         let all = nodes.flat_map(|n| self.claims.iter().enumerate().map(move |c| of(c, n)));

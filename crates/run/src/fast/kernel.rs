@@ -236,12 +236,12 @@ impl Kernel {
         let mut palindrome = Palindrome::new(&product, slot, 2 * degree);
         for below in (0..=degree).rev() {
             // The coefficient of z^-below, and of z^below.
-            let place = if below > self.half { 2 * self.half - below } else { below };
-            let into = &mut next[place * stride..(place + 1) * stride];
+            let index = if below > self.half { 2 * self.half - below } else { below };
+            let into = &mut next[index * stride..(index + 1) * stride];
             let coefficient = limbs::trimmed(palindrome.next());
             limbs::add(into, coefficient, false);
             // Both of them fall on the places that mirror themselves.
-            if below > 0 && (place == 0 || place == self.half) {
+            if below > 0 && (index == 0 || index == self.half) {
                 limbs::add(into, coefficient, false);
             }
         }
@@ -279,10 +279,10 @@ impl Kernel {
     fn pack(&self, slot: usize) -> Vec<u64> {
         let (degree, doubled) = (self.degree(), self.is_full());
         let mut packed = vec![0; slot * 2 * degree + self.stride + 2];
-        for place in 0..=2 * degree {
-            let j = place.abs_diff(degree);
+        for index in 0..=2 * degree {
+            let j = index.abs_diff(degree);
             let coefficient = limbs::trimmed(self.coefficient(j));
-            let into = &mut packed[place * slot..];
+            let into = &mut packed[index * slot..];
             limbs::add(into, coefficient, false);
             if doubled && j < degree {
                 limbs::add(into, coefficient, false);

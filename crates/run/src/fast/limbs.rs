@@ -94,8 +94,8 @@ pub fn sub_mul(dst: &mut [u64], src: &[u64], w: u64) {
 /// `dst += sign * src * weight` for a weight of any length, modulo the length of `dst`.
 pub fn accumulate(dst: &mut [u64], src: &[u64], weight: &[u64], negative: bool) {
     let row = if negative { sub_mul } else { add_mul };
-    for (place, &w) in weight.iter().enumerate() {
-        let Some(shifted) = dst.get_mut(place..) else { return };
+    for (index, &w) in weight.iter().enumerate() {
+        let Some(shifted) = dst.get_mut(index..) else { return };
         row(shifted, src, w);
     }
 }

@@ -150,21 +150,21 @@ fn pair_up(pair: &mut [u64], kernel: &Kernel, direct: usize, mirrored: usize, en
 /// take the signs ([`Kernel::negative`]) and the kernel goes in as magnitudes.
 fn by_product(line: &Line, kernel: &Kernel, size: Size, by: &dyn Multiply) -> Vec<BigInt> {
     let (slot, ring) = (size.width(), 2 * half_ring(line));
-    let mirror = |place: usize| (2 * ring - image(line.ends) - place) % ring;
+    let mirror = |index: usize| (2 * ring - image(line.ends) - index) % ring;
     // The kernel's support as the places 0 .. support, of which `shift` is its middle.
     let shift = if size.support < ring { size.support / 2 } else { 0 };
     let mut packed = vec![0; size.support * slot];
-    for (place, into) in packed.chunks_exact_mut(slot).enumerate() {
-        limbs::add(into, limbs::trimmed(kernel.coefficient((place + ring - shift) % ring)), false);
+    for (index, into) in packed.chunks_exact_mut(slot).enumerate() {
+        limbs::add(into, limbs::trimmed(kernel.coefficient((index + ring - shift) % ring)), false);
     }
-    let odd = |place: usize| kernel.negative(place) != kernel.negative(0);
+    let odd = |index: usize| kernel.negative(index) != kernel.negative(0);
     let side = |wanted: bool| {
         let mut places = vec![0; ring * slot];
         let mut any = false;
         for (j, d) in line.deviation.iter().enumerate().filter(|(_, d)| !d.is_zero()) {
-            for (place, flipped) in [(j, false), (mirror(j), line.ends == Ends::Fixed)] {
-                if (d.is_negative() ^ flipped ^ odd(place)) == wanted {
-                    limbs::write(&mut places[place * slot..][..slot], &d.abs());
+            for (index, flipped) in [(j, false), (mirror(j), line.ends == Ends::Fixed)] {
+                if (d.is_negative() ^ flipped ^ odd(index)) == wanted {
+                    limbs::write(&mut places[index * slot..][..slot], &d.abs());
                     any = true;
                 }
             }
@@ -175,9 +175,9 @@ fn by_product(line: &Line, kernel: &Kernel, size: Size, by: &dyn Multiply) -> Ve
     // Where what is unfolded is odd about its mirror, so are the sums.
     let is_odd = (line.ends == Ends::Fixed) != (odd(mirror(0)) != odd(0));
     let negative = if is_odd { Vec::new() } else { side(true) };
-    let at = |sums: &[u64], place: usize| {
+    let at = |sums: &[u64], index: usize| {
         let wide = slot + 1;
-        sums.get(place * wide..(place + 1) * wide)
+        sums.get(index * wide..(index + 1) * wide)
             .map_or_else(BigInt::zero, |x| limbs::natural(x).into())
     };
     let mut moved = vec![BigInt::zero(); line.count()];
@@ -193,9 +193,9 @@ fn by_product(line: &Line, kernel: &Kernel, size: Size, by: &dyn Multiply) -> Ve
 fn folded(product: &[u64], slot: usize, ring: usize, shift: usize) -> Vec<u64> {
     let wide = slot + 1;
     let mut sums = vec![0; ring * wide];
-    for (place, digit) in product.chunks(slot).enumerate() {
-        let place = (place + 2 * ring - shift) % ring;
-        limbs::add(&mut sums[place * wide..][..wide], digit, false);
+    for (index, digit) in product.chunks(slot).enumerate() {
+        let index = (index + 2 * ring - shift) % ring;
+        limbs::add(&mut sums[index * wide..][..wide], digit, false);
     }
     sums
 }

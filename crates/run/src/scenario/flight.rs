@@ -80,7 +80,7 @@ impl UnitName {
     pub const ALL: [Self; 3] = [Self::Coordination, Self::Control, Self::Plant];
 
     /// Its index in [`UnitName::ALL`].
-    pub fn place(self) -> usize {
+    pub fn index(self) -> usize {
         match self {
             Self::Coordination => 0,
             Self::Control => 1,

@@ -80,16 +80,16 @@ impl Own {
 
     /// The value of a parameter that is constant in the run.
     pub fn value(&self, name: &str) -> Option<&Rational> {
-        let place = self.system.parameters.iter().position(|p| p.name == name)?;
-        self.values.get(place)?.as_ref()
+        let index = self.system.parameters.iter().position(|p| p.name == name)?;
+        self.values.get(index)?.as_ref()
     }
 
     /// Sets the parameter with this index among the [`constants`](Self::constants).
-    pub fn set(&mut self, place: usize, value: Rational) {
+    pub fn set(&mut self, index: usize, value: Rational) {
         let places = self.system.parameters.iter().zip(&mut self.values);
         let mut constants =
             places.filter(|(p, old)| p.kind != ParameterKind::Choice && old.is_some());
-        if let Some((_, old)) = constants.nth(place) {
+        if let Some((_, old)) = constants.nth(index) {
             *old = Some(value);
         }
     }
@@ -150,8 +150,8 @@ impl Own {
             // Below the number of modes.
             Schedule::Any => mode as usize,
             Schedule::Cycle(list) => {
-                let place = before % (list.len() as u64).max(1);
-                list.get(place as usize).copied().unwrap_or(0)
+                let index = before % (list.len() as u64).max(1);
+                list.get(index as usize).copied().unwrap_or(0)
             }
         };
         let mut value = |(p, value): (&Parameter, &Option<Rational>)| {

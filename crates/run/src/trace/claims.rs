@@ -47,9 +47,9 @@ pub fn check_claims(
             broken.text
         )));
     }
-    let group = |(before, (text, places)): (usize, (&str, Vec<usize>))| {
+    let group = |(before, (text, indices)): (usize, (&str, Vec<usize>))| {
         let (number, text) = (before + 1, text.to_owned());
-        let claims = places.into_iter().filter_map(|place| system.claims.get(place));
+        let claims = indices.into_iter().filter_map(|index| system.claims.get(index));
         let found = CheckedClaim { number, text, holds: BTreeMap::new(), first_violation: None };
         (found, claims.collect())
     };

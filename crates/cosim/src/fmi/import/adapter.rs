@@ -15,7 +15,7 @@ use num_traits::ToPrimitive;
 #[cfg_attr(not(feature = "fmi-import"), allow(dead_code, reason = "read where FMUs run"))]
 pub(super) struct Counterpart {
     /// Index in the unit's table.
-    pub place: usize,
+    pub index: usize,
     /// Causality in our unit: input, output or parameter.
     pub causality: Causality,
     /// The type of its values in our unit.
@@ -61,7 +61,7 @@ pub(super) fn map(unit: &dyn Unit, fmu: &Fmu, substitute: &Substitute) -> Result
         map.parameters.push((theirs.clone(), value));
     }
     let mut taken: BTreeMap<&str, &str> = BTreeMap::new();
-    for (place, variable) in unit.variables().iter().enumerate() {
+    for (index, variable) in unit.variables().iter().enumerate() {
         let name = names.get(&variable.name).unwrap_or(&variable.name);
         let wanted = match variable.causality {
             Causality::Input | Causality::Output => true,
@@ -96,7 +96,7 @@ pub(super) fn map(unit: &dyn Unit, fmu: &Fmu, substitute: &Substitute) -> Result
             map.notes.push(what);
         }
         map.counterparts.push(Counterpart {
-            place,
+            index,
             causality: variable.causality,
             kind: variable.kind(),
             theirs: theirs.clone(),

@@ -98,8 +98,8 @@ impl Foreign {
     /// Loads an FMU to replace `unit`; the unit's parameters are passed on as far as the FMU has them.
     pub(super) fn new(isolation: &Isolation, fmu: Fmu, unit: &dyn Unit, map: Map) -> Result<Self> {
         let mut values = Vec::with_capacity(unit.variables().len());
-        for place in 0..unit.variables().len() {
-            values.push(unit.get(place)?);
+        for index in 0..unit.variables().len() {
+            values.push(unit.get(index)?);
         }
         let (name, path) = (unit.name().to_owned(), fmu.path.display().to_string());
         let failed = |what: String| UnitError::new(&name, None, format!("`{path}`: {what}"));
@@ -146,7 +146,7 @@ impl Foreign {
     fn told(&self, causality: Causality) -> Vec<(fmu::Variable, Datum)> {
         let counterparts = self.counterparts.iter().filter(|c| c.causality == causality);
         let pair =
-            |c: &Counterpart| Some((foreign(&c.theirs)?, outward(c, self.values.get(c.place)?)));
+            |c: &Counterpart| Some((foreign(&c.theirs)?, outward(c, self.values.get(c.index)?)));
         counterparts.filter_map(pair).collect()
     }
 
@@ -157,10 +157,10 @@ impl Foreign {
         let outputs = self.counterparts.iter().filter(|c| c.causality == Causality::Output);
         let mut values = Vec::with_capacity(read.len());
         for (counterpart, datum) in outputs.zip(read) {
-            values.push((counterpart.place, self.inward(counterpart, datum)?));
+            values.push((counterpart.index, self.inward(counterpart, datum)?));
         }
-        for (place, value) in values {
-            if let Some(slot) = self.values.get_mut(place) {
+        for (index, value) in values {
+            if let Some(slot) = self.values.get_mut(index) {
                 *slot = value;
             }
         }
@@ -178,7 +178,7 @@ impl Foreign {
                 Ok(number) => Ok(Value::Exact(Quotient::from(&number))),
                 Err(_) => {
                     let what = format!("`{text}` from `{}`: expected a number p/q", self.fmu);
-                    Err(at_variable(self, counterpart.place, what))
+                    Err(at_variable(self, counterpart.index, what))
                 }
             },
             (_, Datum::Real(x)) => {
@@ -257,8 +257,8 @@ impl Unit for Foreign {
             }
             Some(_) => {}
         }
-        if let Some(place) = self.values.get_mut(variable) {
-            *place = value.clone();
+        if let Some(slot) = self.values.get_mut(variable) {
+            *slot = value.clone();
         }
         Ok(())
     }
@@ -285,7 +285,7 @@ impl Unit for Foreign {
     fn begin_step(&mut self, grid: &Grid, step: u64) -> Result<(), UnitError> {
         let (from, size) = (grid.time_f64(step), grid.tau_f64());
         let inputs = self.counterparts.iter().filter(|c| c.causality == Causality::Input);
-        let inputs = inputs.filter_map(|c| Some(outward(c, self.values.get(c.place)?)));
+        let inputs = inputs.filter_map(|c| Some(outward(c, self.values.get(c.index)?)));
         let begun = self.session.begin_step(from, size, inputs.collect());
         begun.map_err(|what| self.failed(&format!("{}{what}", during(grid, step))))
     }

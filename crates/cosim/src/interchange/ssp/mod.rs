@@ -61,8 +61,8 @@ const PARAMETERS_NAME: &str = "parameters";
 fn names(assembly: &Assembly) -> Vec<String> {
     let last = Seat::at(assembly.instances.len().saturating_sub(1)).drone;
     let width = last.to_string().len();
-    let name = |(place, _): (usize, &Instance)| {
-        let Seat { drone, unit } = Seat::at(place);
+    let name = |(index, _): (usize, &Instance)| {
+        let Seat { drone, unit } = Seat::at(index);
         format!("{}{drone:0width$}", unit.name())
     };
     assembly.instances.iter().enumerate().map(name).collect()
@@ -126,15 +126,15 @@ fn swarm(xml: &mut Xml, assembly: &Assembly) -> Result<()> {
     let names = names(assembly);
     xml.create_element("ssd:Elements").write_inner_content(|xml| {
         let named = names.iter().zip(&assembly.instances).enumerate();
-        named.into_iter().try_for_each(|(place, (name, instance))| {
+        named.into_iter().try_for_each(|(index, (name, instance))| {
             let connected = |variable: &str| {
                 let ends = assembly.connections.iter().flat_map(|(from, to)| [from, to]);
-                ends.into_iter().any(|e| e.instance == place && e.variable == variable)
+                ends.into_iter().any(|e| e.instance == index && e.variable == variable)
             };
             component(xml, name, instance, &connected)
         })
     })?;
-    let name = |place: usize| names.get(place).map_or("", String::as_str);
+    let name = |index: usize| names.get(index).map_or("", String::as_str);
     xml.create_element("ssd:Connections").write_inner_content(|xml| {
         for (from, to) in &assembly.connections {
             xml.create_element("ssd:Connection")

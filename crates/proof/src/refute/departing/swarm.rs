@@ -92,7 +92,7 @@ impl Swarm {
         let equal = |a: &Affine, b: &Affine| Constraint { form: a.clone() - b, sign: Sign::Zero };
         let last = self.count.saturating_sub(1);
         let ends = [(0, Rational::zero()), (last, Rational::one())]
-            .map(|(i, place)| equal(&position(i, 0), &Affine::constant(place)));
+            .map(|(i, end)| equal(&position(i, 0), &Affine::constant(end)));
         let at_rest = (0..self.count)
             .flat_map(|i| (1..width).map(move |age| (i, age)))
             .map(|(i, age)| equal(&position(i, age), &position(i, 0)));
@@ -154,7 +154,7 @@ impl Swarm {
     /// The internal drones that update.
     fn active(&self, choice: &Choice) -> Vec<usize> {
         let acts = choice.values.iter().enumerate().filter(|(_, acts)| acts.is_one());
-        acts.map(|(place, _)| place + 1).collect()
+        acts.map(|(index, _)| index + 1).collect()
     }
 
     /// Who sees whom with which delay in the step from time t; before the start all were at rest.

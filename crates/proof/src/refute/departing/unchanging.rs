@@ -70,7 +70,7 @@ impl Swarm {
         let links = self.links();
         let age = |t: usize, i: usize, j: usize| {
             let link = links.iter().position(|&link| link == (i, j));
-            link.and_then(|place| ages.get(place)).map_or(0, |&age| age.min(t))
+            link.and_then(|index| ages.get(index)).map_or(0, |&age| age.min(t))
         };
         let stale = |t: usize| {
             let mut all: Vec<_> = links.iter().map(|&(i, j)| (i, j, age(t, i, j))).collect();

@@ -3,7 +3,7 @@ use std::fs;
 
 use assert_cmd::Command;
 use cordon_core::Rational;
-use cordon_core::simplex::feasible;
+use cordon_core::simplex::{Solution, Work, maximise};
 use cordon_proof::certificate;
 use cordon_proof::certificate::linear::{self, Edge, Invariance, LinearSystem, NodeClaim, form};
 use cordon_proof::prove::{CLAIMS, Claim, Scope, stated};
@@ -343,7 +343,11 @@ fn invariants_of_random_protocols_hold_when_certified() {
             equations.push(last);
             let shift: Rational = (0..2).map(|u| &normal[u] * &offset[u]).sum();
             let constants = [moved, vec![bound - shift]].concat();
-            if let Some(mut m) = feasible(5, &equations, &constants) {
+            let terms = |row: Vec<Rational>| row.into_iter().enumerate().collect::<Vec<_>>();
+            let equations: Vec<_> = equations.into_iter().map(terms).collect();
+            let equations: Vec<_> = equations.iter().map(Vec::as_slice).zip(&constants).collect();
+            let work = Work::limited(1_000_000);
+            if let Some(Solution::Optimal(mut m)) = maximise(5, &[], &equations, &work) {
                 m.truncate(4);
                 multipliers.push(m);
             }

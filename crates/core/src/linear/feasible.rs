@@ -5,7 +5,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::affine::Affine;
 use crate::Rational;
-use crate::simplex::{Solution, Term, Work, maximise_within};
+use crate::simplex::{Solution, Term, Work, maximise};
 
 /// The sign required of a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,8 +76,7 @@ pub fn point_within(
     constants.push(one.clone());
     let equations: Vec<_> = rows.iter().map(Vec::as_slice).zip(&constants).collect();
     let width = slacks + constraints.len();
-    let Some(Solution::Optimal(x)) = maximise_within(width, &[(margin, one)], &equations, work)
-    else {
+    let Some(Solution::Optimal(x)) = maximise(width, &[(margin, one)], &equations, work) else {
         return None;
     };
     let found: Vec<Rational> = (0..variables).map(|j| &x[j] - &x[variables + j]).collect();
@@ -149,12 +148,12 @@ impl<'g> Premises<'g> {
             total.extend([(reached, -one.clone()), (excess, -one.clone())]);
             let cap = [(reached, one.clone()), (slack, one.clone())];
             equations.extend([(total.as_slice(), &zero), (&cap, &one)]);
-            match maximise_within(rest + 4, &[(reached, one.clone())], &equations, work)? {
+            match maximise(rest + 4, &[(reached, one.clone())], &equations, work)? {
                 Solution::Optimal(x) if x[reached].is_positive() => x,
                 _ => return None,
             }
         } else {
-            match maximise_within(rest + 1, &[], &equations, work)? {
+            match maximise(rest + 1, &[], &equations, work)? {
                 Solution::Optimal(x) => x,
                 _ => return None,
             }

@@ -54,41 +54,12 @@ impl Work {
 /// A coefficient and the variable that it belongs to.
 pub type Term = (usize, Rational);
 
-/// Maximises `objective . x` over all `x >= 0` with `equations x = constants`.
+/// Maximises `objective . x` over all `x >= 0`, `count` variables, with equations: each the sum of its
+/// terms, in any order, no variable twice, and its constant. `None` where the work limit is exceeded.
 ///
-/// Each equation has one coefficient per variable; missing ones at its end count as 0. An inequality is
-/// an equation with a slack variable. Of several optimal points, the one that Bland's rule reaches is
-/// returned: variables named first are preferred.
+/// An inequality is an equation with a slack variable. Of several optimal points, the one that Bland's
+/// rule reaches is returned: variables named first are preferred.
 pub fn maximise(
-    objective: &[Rational],
-    equations: &[Vec<Rational>],
-    constants: &[Rational],
-) -> Solution {
-    let count = objective.len();
-    let row = |(equation, constant): (&Vec<Rational>, &Rational)| {
-        Row::integral(equation.iter().take(count).enumerate().chain([(count, constant)]))
-    };
-    let rows = equations.iter().zip(constants).map(row).collect();
-    unlimited(|work| solved(count, Row::integral(objective.iter().enumerate()), rows, work))
-}
-
-/// As [`maximise`], for `count` variables and sparse equations: each with its terms, in any order, no
-/// variable twice, and its constant.
-pub fn maximise_sparse(
-    count: usize,
-    objective: &[Term],
-    equations: &[(&[Term], &Rational)],
-) -> Solution {
-    unlimited(|work| maximise_within(count, objective, equations, work))
-}
-
-/// The solution without a limit in practice: the budget would last for centuries.
-fn unlimited(solve: impl FnOnce(&Work) -> Option<Solution>) -> Solution {
-    solve(&Work::limited(u64::MAX)).unwrap_or(Solution::Infeasible)
-}
-
-/// As [`maximise_sparse`]; `None` where the work limit is exceeded.
-pub fn maximise_within(
     count: usize,
     objective: &[Term],
     equations: &[(&[Term], &Rational)],
@@ -107,18 +78,6 @@ pub fn maximise_within(
 
 fn entries(terms: &[Term]) -> impl Iterator<Item = (usize, &Rational)> {
     terms.iter().map(|(j, x)| (*j, x))
-}
-
-/// A point `x >= 0` with `equations x = constants`, if any.
-pub fn feasible(
-    count: usize,
-    equations: &[Vec<Rational>],
-    constants: &[Rational],
-) -> Option<Vec<Rational>> {
-    match maximise(&vec![Rational::zero(); count], equations, constants) {
-        Solution::Optimal(x) => Some(x),
-        Solution::Infeasible | Solution::Unbounded => None,
-    }
 }
 
 /// The program with this objective and these equations, the constants in column `count`.
@@ -279,30 +238,43 @@ mod tests {
         v.iter().map(|&n| q(n, 1)).collect()
     }
 
+    /// The solution, of rows with a coefficient for each variable; missing ones at the end are 0.
+    fn maximised(
+        objective: &[Rational],
+        equations: &[Vec<Rational>],
+        constants: &[Rational],
+    ) -> Solution {
+        let terms = |row: &[Rational]| row.iter().cloned().enumerate().collect::<Vec<Term>>();
+        let rows: Vec<Vec<Term>> = equations.iter().map(|row| terms(row)).collect();
+        let equations: Vec<_> = rows.iter().map(Vec::as_slice).zip(constants).collect();
+        let work = Work::limited(1_000_000);
+        maximise(objective.len(), &terms(objective), &equations, &work).unwrap()
+    }
+
     #[test]
     fn a_textbook_program_has_its_known_optimum() {
         // max 3x + 5y, x <= 4, 2y <= 12, 3x + 2y <= 18: 36 at (2, 6).
         let a = [row(&[1, 0, 1, 0, 0]), row(&[0, 2, 0, 1, 0]), row(&[3, 2, 0, 0, 1])];
-        let solution = maximise(&row(&[3, 5, 0, 0, 0]), &a, &row(&[4, 12, 18]));
+        let solution = maximised(&row(&[3, 5, 0, 0, 0]), &a, &row(&[4, 12, 18]));
         assert_eq!(solution, Solution::Optimal(row(&[2, 6, 2, 0, 0])));
     }
 
     #[test]
     fn infeasible_and_unbounded_are_told_apart() {
-        assert_eq!(maximise(&row(&[1]), &[row(&[1])], &row(&[-1])), Solution::Infeasible);
-        assert_eq!(maximise(&row(&[1, 0]), &[row(&[1, -1])], &row(&[0])), Solution::Unbounded);
-        assert_eq!(maximise(&row(&[1]), &[], &[]), Solution::Unbounded);
-        assert_eq!(maximise(&row(&[-1]), &[], &[]), Solution::Optimal(row(&[0])));
+        assert_eq!(maximised(&row(&[1]), &[row(&[1])], &row(&[-1])), Solution::Infeasible);
+        assert_eq!(maximised(&row(&[1, 0]), &[row(&[1, -1])], &row(&[0])), Solution::Unbounded);
+        assert_eq!(maximised(&row(&[1]), &[], &[]), Solution::Unbounded);
+        assert_eq!(maximised(&row(&[-1]), &[], &[]), Solution::Optimal(row(&[0])));
     }
 
     #[test]
     fn redundant_and_contradicting_equations() {
         let twice = [row(&[1, 1]), row(&[2, 2])];
-        let Solution::Optimal(x) = maximise(&row(&[0, 1]), &twice, &row(&[3, 6])) else {
+        let Solution::Optimal(x) = maximised(&row(&[0, 1]), &twice, &row(&[3, 6])) else {
             panic!("feasible")
         };
         assert_eq!(x, row(&[0, 3]));
-        assert_eq!(maximise(&row(&[0, 1]), &twice, &row(&[3, 7])), Solution::Infeasible);
+        assert_eq!(maximised(&row(&[0, 1]), &twice, &row(&[3, 7])), Solution::Infeasible);
     }
 
     #[test]
@@ -313,7 +285,7 @@ mod tests {
             row(&[0, 0, 1, 0, 0, 0, 1]),
         ];
         let c = [q(3, 4), q(-150, 1), q(1, 50), q(-6, 1), q(0, 1), q(0, 1), q(0, 1)];
-        let Solution::Optimal(x) = maximise(&c, &a, &row(&[0, 0, 1])) else { panic!("bounded") };
+        let Solution::Optimal(x) = maximised(&c, &a, &row(&[0, 0, 1])) else { panic!("bounded") };
         let value: Rational = c.iter().zip(&x).map(|(c, x)| c * x).sum();
         assert_eq!(value, q(1, 20));
     }
@@ -336,7 +308,7 @@ mod tests {
             let grid = (0..6i64.pow(4)).map(|n| [n % 6, n / 6 % 6, n / 36 % 6, n / 216]);
             let dot = |r: &[i64], x: &[i64; 4]| r.iter().zip(x).map(|(a, x)| a * x).sum::<i64>();
             let mut points = grid.filter(|x| (0..2).all(|i| dot(&a[i], x) == b[i]));
-            match maximise(&row(&c), &rows, &row(&b)) {
+            match maximised(&row(&c), &rows, &row(&b)) {
                 Solution::Optimal(x) => {
                     optimal += 1;
                     assert!(x.iter().all(|x| !x.is_negative()));

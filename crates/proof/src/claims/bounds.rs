@@ -10,7 +10,7 @@ use num_traits::{One, Signed, Zero};
 use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Sign};
-use cordon_core::simplex::{Solution, Term, Work, maximise_within};
+use cordon_core::simplex::{Solution, Term, Work, maximise};
 use cordon_core::system::{Claim, Predicate, System};
 
 /// Steps in which the state is watched.
@@ -95,7 +95,7 @@ pub fn extreme(
     let equations: Vec<_> = rows.iter().map(Vec::as_slice).zip(&constants).collect();
     let (_, coefficients) = form.parts()?;
     let columns = 2 * variables + constraints.len();
-    match maximise_within(columns, &signed(coefficients), &equations, work)? {
+    match maximise(columns, &signed(coefficients), &equations, work)? {
         Solution::Optimal(x) => Some((0..variables).map(|j| &x[j] - &x[variables + j]).collect()),
         _ => None,
     }

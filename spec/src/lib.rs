@@ -41,9 +41,9 @@ pub mod drone_map;
 pub mod formation;
 pub mod graph;
 pub mod local;
-// What the contracts mean lies beside the proofs: no build has it but theirs.
+// What the contracts mean; not in this folder because it is no part of the spec.
 #[cfg(feature = "contracts")]
-#[path = "../../proofs/creusot/model/mod.rs"]
+#[path = "../model/mod.rs"]
 pub mod model;
 pub mod placement;
 pub mod scalar;

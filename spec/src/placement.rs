@@ -41,16 +41,8 @@ pub fn gaps<S: Scalar>(x: &[S]) -> S {
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]
 #[cfg_attr(feature = "contracts", ensures(result.model() == target(min.model(), max.model(), int(last_of(count@)), int(i@))))]
 pub fn scaled_target<S: Scalar>(min: &S, max: &S, count: usize, i: usize) -> S {
-    target_at(min, max, &S::from_index(count.saturating_sub(1)), &S::from_index(i))
-}
-
-/// [`scaled_target`] with the indices `last` = N-1 and `i` as scalars, so that they may be
-/// indeterminates.
-#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
-#[cfg_attr(feature = "contracts", ensures(result.model() == target(min.model(), max.model(), last.model(), i.model())))]
-pub fn target_at<S: Scalar>(min: &S, max: &S, last: &S, i: &S) -> S {
-    let length = max.clone() - min;
-    last.clone() * min + &(i.clone() * &length)
+    let last = S::from_index(count.saturating_sub(1));
+    last * min + &(S::from_index(i) * &(max.clone() - min))
 }
 
 /// `(N-1) * e_i`: N-1 times the error `e_i = T_i - X_i` of drone `i`; positive while the
@@ -58,14 +50,7 @@ pub fn target_at<S: Scalar>(min: &S, max: &S, last: &S, i: &S) -> S {
 #[cfg_attr(feature = "contracts", requires(exact::<S>() && i@ < x@.len()))]
 #[cfg_attr(feature = "contracts", ensures(result.model() == error(min.model(), max.model(), reals(x@), i@)))]
 pub fn scaled_error<S: Scalar>(min: &S, max: &S, x: &[S], i: usize) -> S {
-    error_at(min, max, &gaps(x), &S::from_index(i), &x[i])
-}
-
-/// [`scaled_error`] of position `xi`, with the indices `last` = N-1 and `i` as scalars.
-#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
-#[cfg_attr(feature = "contracts", ensures(result.model() == target(min.model(), max.model(), last.model(), i.model()) - last.model() * xi.model()))]
-pub fn error_at<S: Scalar>(min: &S, max: &S, last: &S, i: &S, xi: &S) -> S {
-    target_at(min, max, last, i) - &(last.clone() * xi)
+    scaled_target(min, max, x.len(), i) - &(gaps(x) * &x[i])
 }
 
 /// `(N-1)^2` times the sum of the squared errors: zero exactly at the targets.
@@ -92,11 +77,4 @@ pub fn contraction_weight(count: usize, i: usize) -> usize {
     #[cfg(creusot)]
     proof_assert!(weight_fits(count@, i@, usize::MAX@));
     i * (count - 1 - i)
-}
-
-/// [`contraction_weight`] with the indices `last` = N-1 and `i` as scalars.
-#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
-#[cfg_attr(feature = "contracts", ensures(result.model() == i.model() * (last.model() - i.model())))]
-pub fn contraction_weight_at<S: Scalar>(last: &S, i: &S) -> S {
-    i.clone() * &(last.clone() - i)
 }

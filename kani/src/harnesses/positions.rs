@@ -2,8 +2,7 @@
 
 use cordon_spec::Scalar;
 use cordon_spec::placement::{
-    contraction_weight, contraction_weight_at, error_at, gap, gaps, scaled_energy, scaled_error,
-    scaled_target, sum, target_at,
+    contraction_weight, gap, gaps, scaled_energy, scaled_error, scaled_target, sum,
 };
 use cordon_spec::theorems::StartSet;
 
@@ -15,15 +14,12 @@ use crate::source::{Case, Domain, Source, Witness};
 
 const FUNCTIONS: &[&str] = &[
     "placement::contraction_weight",
-    "placement::contraction_weight_at",
-    "placement::error_at",
     "placement::gap",
     "placement::gaps",
     "placement::scaled_energy",
     "placement::scaled_error",
     "placement::scaled_target",
     "placement::sum",
-    "placement::target_at",
 ];
 
 /// 3 bits and a sign: identities of sums are dear to the solver.
@@ -57,9 +53,6 @@ fn defined<const N: usize, S: Source>(source: &mut S) -> Case {
         let target = scaled_target(&min, &max, N, i);
         let error = scaled_error(&min, &max, &x, i);
         assert!(error + last * xi == target, "what is left to the target");
-        let at = i32::try_from(i).unwrap_or(i32::MAX);
-        assert!(target_at(&min, &max, &last, &at) == target, "with indices as scalars");
-        assert!(error_at(&min, &max, &last, &at, xi) == error, "with indices as scalars");
         off |= error != 0;
     }
     Some(Witness(off))
@@ -91,8 +84,6 @@ fn contracts<S: Source>(source: &mut S) -> Case {
         let around = contraction_weight(count, i - 1) + contraction_weight(count, i + 1);
         assert!(around + 2 == 2 * w, "the second difference");
     }
-    let [last, at, expected] = [count - 1, i, w].map(|n| i64::try_from(n).unwrap_or(i64::MAX));
-    assert!(contraction_weight_at(&last, &at) == expected, "with indices as scalars");
     Some(Witness(internal))
 }
 

@@ -10,13 +10,10 @@ use crate::harness::{covering, harnesses};
 use crate::source::{Case, Domain, Source, Witness};
 
 const FUNCTIONS: &[&str] = &[
-    "theorems::fixed_point::span",
     "theorems::increasing::as_printed",
     "theorems::increasing::first_off_target_is_late",
-    "theorems::increasing::span",
     "theorems::limit::at_rate",
     "theorems::limit::bounded_by",
-    "theorems::limit::bounded_by_some",
     "theorems::limit::conclusion",
     "theorems::limit::magnitude",
     "theorems::limit::weighed",

@@ -13,10 +13,9 @@ use crate::line::{Line, same};
 use crate::source::{Case, Source, Witness};
 
 const FUNCTIONS: &[&str] = &[
-    "placement::error_at",
     "placement::gaps",
     "placement::scaled_error",
-    "placement::target_at",
+    "placement::scaled_target",
     "theorems::hypothesis::upper_bounded",
     "theorems::upper_bound::above_targets",
     "theorems::upper_bound::conclusion",

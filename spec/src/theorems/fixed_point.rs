@@ -1,8 +1,6 @@
 //! Theorem 7.6: the sum is constant exactly at the targets.
 
 #[cfg(feature = "contracts")]
-use super::Theorem;
-#[cfg(feature = "contracts")]
 use crate::model::*;
 
 use super::hypothesis::at_targets;
@@ -10,17 +8,6 @@ use super::verdict::{Subject, Truth, Verdict, Violation, equal};
 use super::{Form, Setting, placement};
 use crate::placement::sum;
 use crate::{DroneMap, Ordered};
-
-/// How many steps beyond k both parts read.
-#[cfg_attr(feature = "contracts", ensures(result@ == steps_read(Theorem::ConstantSum, form, count@)))]
-pub(super) fn span(form: Form, count: usize) -> usize {
-    let internal = count.saturating_sub(2).max(1);
-    match form {
-        // Enough to decide "for all h": see `Theorem::span`.
-        Form::Paper => internal,
-        Form::Sharp => internal.div_ceil(2),
-    }
-}
 
 /// At the targets at step k: the sum (paper) or every drone (sharp) stays.
 #[cfg_attr(feature = "contracts", requires(exact::<S>()))]

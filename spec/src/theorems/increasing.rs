@@ -1,51 +1,29 @@
 //! Theorem 7.7: while a drone is off its target the sum of the positions will increase.
 
-#[cfg(feature = "contracts")]
-use super::Theorem;
+use core::cmp::Ordering;
+
 #[cfg(feature = "contracts")]
 use crate::model::{self, *};
 
 use super::fixed_point::stays;
 use super::hypothesis::at_target;
 use super::verdict::{Subject, Truth, Verdict, at_most, equal, less};
-use super::{Form, Setting, placement};
+use super::{Setting, placement};
 use crate::placement::{scaled_error, sum};
 use crate::{DroneMap, Ordered};
 
 /// The smallest j at which the printed premise allows the first off-target drone.
 const PRINTED_FIRST_OFF_TARGET: usize = 3;
 
-/// How many steps beyond k the conclusion reads.
-#[cfg_attr(feature = "contracts", ensures(result@ == steps_read(Theorem::GloballyIncreasing, form, count@)))]
-pub(super) fn span(form: Form, count: usize) -> usize {
-    let internal = count.saturating_sub(2).max(1);
-    match form {
-        // An increase between steps k+1 and k+1+(N-2), or never: see `Theorem::span`.
-        Form::Paper => internal + 1,
-        // h + 1 for the largest h: the drone nearest the middle.
-        Form::Sharp => count.saturating_sub(1) / 2,
-    }
-}
-
-#[cfg_attr(feature = "contracts", requires(model::exact::<S>() && later@.len() > 0))]
-#[cfg_attr(feature = "contracts", ensures(decides(result, match form { Form::Paper => increases_as_printed(setting.model(), now@, later@), Form::Sharp => increases(setting.model(), now@, later@) })))]
-pub(super) fn conclusion<S: Ordered, M: DroneMap<S>>(
-    form: Form,
-    setting: &Setting<S>,
-    now: &[S],
-    later: &[M],
-) -> Verdict {
-    match form {
-        Form::Paper => as_printed(setting, now, later),
-        Form::Sharp => exact(setting, now, later),
-    }
-}
-
 /// If the sum stays in the next step, it increases in one after that. At least one placement
 /// is later.
 #[cfg_attr(feature = "contracts", requires(model::exact::<S>() && later@.len() > 0))]
 #[cfg_attr(feature = "contracts", ensures(decides(result, increases_as_printed(setting.model(), now@, later@))))]
-fn as_printed<S: Ordered, M: DroneMap<S>>(setting: &Setting<S>, now: &[S], later: &[M]) -> Verdict {
+pub(super) fn as_printed<S: Ordered, M: DroneMap<S>>(
+    setting: &Setting<S>,
+    now: &[S],
+    later: &[M],
+) -> Verdict {
     let premise = stays(now, later, 1).and(first_off_target_is_late(setting, now));
     Verdict::given(premise, || {
         let falls = |h: usize| at_most(&sum(placement(&later[h + 1])), &sum(placement(&later[h])));
@@ -76,7 +54,11 @@ fn first_off_target_is_late<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Truth 
 /// The sum stays until step k+h and increases in the next, with h as predicted.
 #[cfg_attr(feature = "contracts", requires(model::exact::<S>()))]
 #[cfg_attr(feature = "contracts", ensures(decides(result, increases(setting.model(), now@, later@))))]
-fn exact<S: Ordered, M: DroneMap<S>>(setting: &Setting<S>, now: &[S], later: &[M]) -> Verdict {
+pub(super) fn exact<S: Ordered, M: DroneMap<S>>(
+    setting: &Setting<S>,
+    now: &[S],
+    later: &[M],
+) -> Verdict {
     let last = now.len().saturating_sub(1);
     let mut first_increase: Option<usize> = None;
     #[cfg_attr(creusot, invariant(match first_increase { Some(d) => nearest(setting.model(), reals(now@), produced.len(), d@), None => on_targets(setting.model(), reals(now@), produced.len()) }))]
@@ -85,10 +67,7 @@ fn exact<S: Ordered, M: DroneMap<S>>(setting: &Setting<S>, now: &[S], later: &[M
             Truth::True => {}
             Truth::False => {
                 let depth = j.min(last - j);
-                first_increase = match first_increase {
-                    Some(before) if before < depth => Some(before),
-                    _ => Some(depth),
-                };
+                first_increase = Some(first_increase.map_or(depth, |before| before.min(depth)));
             }
             Truth::Unknown => return Verdict::Undecided,
         }
@@ -105,12 +84,10 @@ fn exact<S: Ordered, M: DroneMap<S>>(setting: &Setting<S>, now: &[S], later: &[M
     // must not.
     let as_predicted = Truth::all(later.len(), |h| {
         let after = sum(placement(&later[h]));
-        if h + 1 < step {
-            equal(&c, &after)
-        } else if h + 1 == step {
-            less(&c, &after)
-        } else {
-            Truth::True
+        match (h + 1).cmp(&step) {
+            Ordering::Less => equal(&c, &after),
+            Ordering::Equal => less(&c, &after),
+            Ordering::Greater => Truth::True,
         }
     });
     #[cfg(creusot)]

@@ -52,31 +52,18 @@ fn at_rate<S: Ordered>(setting: &Setting<S>, now: &[S], next: &[S]) -> Verdict {
     }
     let whole = gaps::<S>(now) * &gaps(now) * den;
     let kept = whole.clone() - &(S::from_int(8) * num);
+    let internal = count.saturating_sub(2);
     Verdict::for_all(
-        count.saturating_sub(2),
-        |i| bounded_by_some(setting, &whole, &kept, now, next, i),
+        internal,
+        |i| Truth::any(internal, |j| bounded_by(setting, &whole, &kept, now, next, i, j)),
         |i| Violation { step: 1, subject: Subject::Drone(i + 1) },
     )
 }
 
-/// Whether there is such a j for drone `i + 1`. `whole` is (N-1)^2 den, and `kept` 8 num less.
-#[cfg_attr(feature = "contracts", requires(rated(*setting, whole, kept, now@, next@) && i@ + 2 < now@.len()))]
-#[cfg_attr(feature = "contracts", ensures(says(result, shrinks_to_some(*setting, now@, next@, i@ + 1))))]
-fn bounded_by_some<S: Ordered>(
-    setting: &Setting<S>,
-    whole: &S,
-    kept: &S,
-    now: &[S],
-    next: &[S],
-    i: usize,
-) -> Truth {
-    let i = i + 1;
-    Truth::any(now.len().saturating_sub(2), |j| bounded_by(setting, whole, kept, now, next, i, j))
-}
-
-/// Whether drone `j + 1` is such a one for drone `i`.
-#[cfg_attr(feature = "contracts", requires(rated(*setting, whole, kept, now@, next@) && i@ + 1 < now@.len() && j@ + 2 < now@.len()))]
-#[cfg_attr(feature = "contracts", ensures(says(result, shrinks_to(*setting, now@, next@, i@, j@ + 1))))]
+/// Whether drone `j + 1` is such a one for drone `i + 1`. `whole` is (N-1)^2 den, and `kept` 8 num
+/// less.
+#[cfg_attr(feature = "contracts", requires(rated(*setting, whole, kept, now@, next@) && i@ + 2 < now@.len() && j@ + 2 < now@.len()))]
+#[cfg_attr(feature = "contracts", ensures(says(result, shrinks_to(*setting, now@, next@, i@ + 1, j@ + 1))))]
 fn bounded_by<S: Ordered>(
     setting: &Setting<S>,
     whole: &S,
@@ -86,13 +73,16 @@ fn bounded_by<S: Ordered>(
     i: usize,
     j: usize,
 ) -> Truth {
-    let (min, max, count, j) = (&setting.min, &setting.max, now.len(), j + 1);
+    let (min, max, count, i, j) = (&setting.min, &setting.max, now.len(), i + 1, j + 1);
     let after = weighed(whole, scaled_error(min, max, next, i), contraction_weight(count, j));
     let before = weighed(kept, scaled_error(min, max, now, j), contraction_weight(count, i));
-    match (after, before) {
+    let bounded = match (after, before) {
         (Some(after), Some(before)) => at_most(&after, &before),
         _ => Truth::Unknown,
-    }
+    };
+    #[cfg(creusot)]
+    proof_assert!(says(bounded, shrinks_to(*setting, now@, next@, i@, j@)));
+    bounded
 }
 
 /// `factor * |e| * weight`, where the sign of `e` is known.

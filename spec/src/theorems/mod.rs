@@ -152,28 +152,25 @@ impl Theorem {
     pub fn hypothesis(self, form: Form) -> Hypothesis {
         use StartSet::{Any, FirstSubsegment, Ordered, UpperBounded};
         use WeightRange as W;
-        let (weights, starts) = match (form, self) {
-            (Form::Paper, Self::Ordering) => (W::BelowThird, Ordered),
-            (
-                Form::Paper,
-                Self::UpperBound | Self::SumBounded | Self::SumMaximal | Self::SumNonDecreasing,
-            ) => (W::BelowHalf, FirstSubsegment),
-            (Form::Paper, Self::TargetsFixed | Self::ConstantSum) => {
-                (W::BelowThird, FirstSubsegment)
+        let (paper, sharp) = match self {
+            Self::Ordering => ((W::BelowThird, Ordered), (W::UpToHalfOrOne, Ordered)),
+            Self::UpperBound | Self::SumBounded | Self::SumMaximal | Self::SumNonDecreasing => {
+                ((W::BelowHalf, FirstSubsegment), (W::UpToHalf, UpperBounded))
             }
-            (Form::Paper, Self::SumStationary | Self::Limit) => (W::Unit, FirstSubsegment),
+            Self::SumStationary => ((W::Unit, FirstSubsegment), (W::Any, Any)),
+            Self::TargetsFixed => ((W::BelowThird, FirstSubsegment), (W::Any, Any)),
+            Self::ConstantSum => {
+                ((W::BelowThird, FirstSubsegment), (W::PositiveUpToHalf, UpperBounded))
+            }
             // Under assumption 3 the printed premise is never met.
-            (Form::Paper, Self::GloballyIncreasing) => (W::Unit, UpperBounded),
-            (Form::Sharp, Self::Ordering) => (W::UpToHalfOrOne, Ordered),
-            (
-                Form::Sharp,
-                Self::UpperBound | Self::SumBounded | Self::SumMaximal | Self::SumNonDecreasing,
-            ) => (W::UpToHalf, UpperBounded),
-            (Form::Sharp, Self::SumStationary | Self::TargetsFixed) => (W::Any, Any),
-            (Form::Sharp, Self::ConstantSum | Self::GloballyIncreasing) => {
-                (W::PositiveUpToHalf, UpperBounded)
+            Self::GloballyIncreasing => {
+                ((W::Unit, UpperBounded), (W::PositiveUpToHalf, UpperBounded))
             }
-            (Form::Sharp, Self::Limit) => (W::BelowCritical, Any),
+            Self::Limit => ((W::Unit, FirstSubsegment), (W::BelowCritical, Any)),
+        };
+        let (weights, starts) = match form {
+            Form::Paper => paper,
+            Form::Sharp => sharp,
         };
         Hypothesis { weights, starts }
     }
@@ -185,11 +182,16 @@ impl Theorem {
     /// N-2 zeros in a row mean zeros for ever.
     #[cfg_attr(feature = "contracts", ensures(result@ == steps_read(self, form, count@)))]
     pub fn span(self, form: Form, count: usize) -> usize {
-        match self {
-            Self::Ordering | Self::UpperBound | Self::SumBounded | Self::SumMaximal => 0,
-            Self::SumNonDecreasing | Self::SumStationary | Self::Limit => 1,
-            Self::TargetsFixed | Self::ConstantSum => fixed_point::span(form, count),
-            Self::GloballyIncreasing => increasing::span(form, count),
+        let internal = count.saturating_sub(2).max(1);
+        match (self, form) {
+            (Self::Ordering | Self::UpperBound | Self::SumBounded | Self::SumMaximal, _) => 0,
+            (Self::SumNonDecreasing | Self::SumStationary | Self::Limit, _) => 1,
+            (Self::TargetsFixed | Self::ConstantSum, Form::Paper) => internal,
+            (Self::TargetsFixed | Self::ConstantSum, Form::Sharp) => internal.div_ceil(2),
+            // An increase between steps k+1 and k+1+(N-2), or never.
+            (Self::GloballyIncreasing, Form::Paper) => internal + 1,
+            // h + 1 for the largest h: the drone nearest the middle.
+            (Self::GloballyIncreasing, Form::Sharp) => count.saturating_sub(1) / 2,
         }
     }
 
@@ -220,7 +222,10 @@ impl Theorem {
             Self::SumStationary => non_decreasing::stationary(setting, now, later),
             Self::TargetsFixed => fixed_point::targets_fixed(form, setting, now, later),
             Self::ConstantSum => fixed_point::constant_sum(setting, now, later),
-            Self::GloballyIncreasing => increasing::conclusion(form, setting, now, later),
+            Self::GloballyIncreasing if form == Form::Paper => {
+                increasing::as_printed(setting, now, later)
+            }
+            Self::GloballyIncreasing => increasing::exact(setting, now, later),
             Self::Limit => limit::conclusion(form, setting, now, later),
         }
     }

@@ -1,13 +1,11 @@
 //! Corollary 7.4: the sum of the positions, its bound and when it is met.
 
-use core::cmp::Ordering;
-
 #[cfg(feature = "contracts")]
 use crate::model::*;
 
 use super::Setting;
 use super::hypothesis::at_targets;
-use super::verdict::{Subject, Truth, Verdict, at_most};
+use super::verdict::{Subject, Truth, Verdict, at_most, equal};
 use crate::placement::sum;
 use crate::{Ordered, Scalar};
 
@@ -33,13 +31,10 @@ pub(super) fn bounded<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Verdict {
 #[cfg_attr(feature = "contracts", ensures(decides(result, (int(2) * total(reals(x@), x@.len()) == bound(setting.model(), reals(x@))) == reach_targets(setting.model(), reals(x@)))))]
 pub(super) fn maximal<S: Ordered>(setting: &Setting<S>, x: &[S]) -> Verdict {
     let (c, bound) = doubled(setting, x);
-    let Some(order) = c.compare(&bound) else {
-        return Verdict::Undecided;
-    };
-    match (order == Ordering::Equal, at_targets(setting, x)) {
-        (true, Truth::True) => Verdict::Holds,
-        (false, Truth::False) => Verdict::Vacuous,
-        (_, Truth::Unknown) => Verdict::Undecided,
+    match (equal(&c, &bound), at_targets(setting, x)) {
+        (Truth::True, Truth::True) => Verdict::Holds,
+        (Truth::False, Truth::False) => Verdict::Vacuous,
+        (Truth::Unknown, _) | (_, Truth::Unknown) => Verdict::Undecided,
         _ => Verdict::one(Truth::False, 0, Subject::Sum),
     }
 }

@@ -87,7 +87,7 @@ const CREUSOT: Tool = Tool {
         "cordon-spec/contracts,cordon-contracts/contracts",
     ],
     version: ["cargo", "creusot", "version"],
-    sources: &["spec/src", "proofs/creusot/model", "proofs/creusot/src"],
+    sources: &["spec/src", "spec/model", "proofs/creusot/src"],
 };
 
 /// The table of a tier's claims, in its folder.

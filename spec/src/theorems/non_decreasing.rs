@@ -10,26 +10,22 @@ use crate::placement::{gap, sum};
 use crate::{DroneMap, Ordered, Scalar};
 
 /// c^{k+1} >= c^k: the sum does not fall in the step.
-#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", requires(exact::<S>() && later@.len() > 0))]
 #[cfg_attr(feature = "contracts", ensures(decides(result, sum_of(now@) <= sum_of(later@[0].seq()))))]
 pub(super) fn conclusion<S: Ordered, M: DroneMap<S>>(now: &[S], later: &[M]) -> Verdict {
-    match later.first() {
-        Some(next) => Verdict::one(at_most(&sum(now), &sum(placement(next))), 1, Subject::Sum),
-        None => Verdict::Undecided,
-    }
+    Verdict::one(at_most(&sum(now), &sum(placement(&later[0]))), 1, Subject::Sum)
 }
 
 /// At the targets, c^{k+1} = c^k.
-#[cfg_attr(feature = "contracts", requires(exact::<S>()))]
+#[cfg_attr(feature = "contracts", requires(exact::<S>() && later@.len() > 0))]
 #[cfg_attr(feature = "contracts", ensures(decides(result, reach_targets(setting.model(), reals(now@)) ==> sum_of(later@[0].seq()) == sum_of(now@))))]
 pub(super) fn stationary<S: Ordered, M: DroneMap<S>>(
     setting: &Setting<S>,
     now: &[S],
     later: &[M],
 ) -> Verdict {
-    Verdict::given(at_targets(setting, now), || match later.first() {
-        Some(next) => Verdict::one(equal(&sum(now), &sum(placement(next))), 1, Subject::Sum),
-        None => Verdict::Undecided,
+    Verdict::given(at_targets(setting, now), || {
+        Verdict::one(equal(&sum(now), &sum(placement(&later[0]))), 1, Subject::Sum)
     })
 }
 

@@ -184,7 +184,7 @@ fn the_spec_is_read_whole() {
     assert!(has("scalar.rs", "Ordered"), "traits count");
     assert!(has("state.rs", "Phase"), "enums count");
     let outside = public.iter().filter(|(file, _)| !file.starts_with(THEOREMS)).count();
-    assert!(outside >= 45, "{outside} public definitions outside the theorems");
+    assert!(outside >= 42, "{outside} public definitions outside the theorems");
 }
 
 #[test]

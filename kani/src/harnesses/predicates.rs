@@ -17,7 +17,6 @@ const FUNCTIONS: &[&str] = &[
     "theorems::limit::conclusion",
     "theorems::limit::magnitude",
     "theorems::limit::weighed",
-    "theorems::placement",
 ];
 
 /// Errors are squared and multiplied by one another.

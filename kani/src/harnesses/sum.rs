@@ -39,7 +39,6 @@ const FUNCTIONS: &[&str] = &[
     "theorems::limit::conclusion",
     "theorems::limit::magnitude",
     "theorems::limit::weighed",
-    "theorems::placement",
     "theorems::verdict::Truth::any",
     "theorems::non_decreasing::conclusion",
     "theorems::non_decreasing::stationary",

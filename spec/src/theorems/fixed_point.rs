@@ -5,7 +5,7 @@ use crate::model::*;
 
 use super::hypothesis::at_targets;
 use super::verdict::{Subject, Truth, Verdict, Violation, equal};
-use super::{Form, Setting, placement};
+use super::{Form, Setting};
 use crate::placement::sum;
 use crate::{DroneMap, Ordered};
 
@@ -33,8 +33,8 @@ fn remain<S: Ordered, M: DroneMap<S>>(
     let count = later.len();
     let at = |h| Violation { step: h + 1, subject: Subject::Sum };
     match form {
-        Form::Paper => Verdict::for_all(count, |h| equal(&c, &sum(placement(&later[h]))), at),
-        Form::Sharp => Verdict::for_all(count, |h| at_targets(setting, placement(&later[h])), at),
+        Form::Paper => Verdict::for_all(count, |h| equal(&c, &sum(later[h].as_ref())), at),
+        Form::Sharp => Verdict::for_all(count, |h| at_targets(setting, later[h].as_ref()), at),
     }
 }
 
@@ -56,5 +56,5 @@ pub(super) fn constant_sum<S: Ordered, M: DroneMap<S>>(
 #[cfg_attr(feature = "contracts", ensures(says(result, constant(now@, later@, count@))))]
 pub(super) fn stays<S: Ordered, M: DroneMap<S>>(now: &[S], later: &[M], count: usize) -> Truth {
     let c = sum(now);
-    Truth::all(count, |h| equal(&c, &sum(placement(&later[h]))))
+    Truth::all(count, |h| equal(&c, &sum(later[h].as_ref())))
 }

@@ -5,10 +5,10 @@ use core::cmp::Ordering;
 #[cfg(feature = "contracts")]
 use crate::model::{self, *};
 
+use super::Setting;
 use super::fixed_point::stays;
 use super::hypothesis::at_target;
 use super::verdict::{Subject, Truth, Verdict, at_most, equal, less};
-use super::{Setting, placement};
 use crate::placement::{scaled_error, sum};
 use crate::{DroneMap, Ordered};
 
@@ -26,7 +26,7 @@ pub(super) fn as_printed<S: Ordered, M: DroneMap<S>>(
 ) -> Verdict {
     let premise = stays(now, later, 1).and(first_off_target_is_late(setting, now));
     Verdict::given(premise, || {
-        let falls = |h: usize| at_most(&sum(placement(&later[h + 1])), &sum(placement(&later[h])));
+        let falls = |h: usize| at_most(&sum(later[h + 1].as_ref()), &sum(later[h].as_ref()));
         let increases = Truth::all(later.len() - 1, falls).negated();
         Verdict::one(increases, later.len(), Subject::Sum)
     })
@@ -83,7 +83,7 @@ pub(super) fn exact<S: Ordered, M: DroneMap<S>>(
     // Over all of the run, and no slice of it: its length depends on positions, and a loop's
     // must not.
     let as_predicted = Truth::all(later.len(), |h| {
-        let after = sum(placement(&later[h]));
+        let after = sum(later[h].as_ref());
         match (h + 1).cmp(&step) {
             Ordering::Less => equal(&c, &after),
             Ordering::Equal => less(&c, &after),

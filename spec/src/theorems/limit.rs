@@ -14,7 +14,7 @@ use crate::model::*;
 
 use super::hypothesis::at_targets;
 use super::verdict::{Subject, Truth, Verdict, Violation, at_most, less};
-use super::{Form, Setting, WeightRange, placement};
+use super::{Form, Setting, WeightRange};
 use crate::placement::{contraction_weight, gaps, scaled_energy, scaled_error};
 use crate::{DroneMap, Ordered};
 
@@ -27,7 +27,7 @@ pub(super) fn conclusion<S: Ordered, M: DroneMap<S>>(
     later: &[M],
 ) -> Verdict {
     Verdict::given(at_targets(setting, now).negated(), || {
-        let next = placement(&later[0]);
+        let next = later[0].as_ref();
         let after = scaled_energy(&setting.min, &setting.max, next);
         let before = scaled_energy(&setting.min, &setting.max, now);
         match Verdict::one(less(&after, &before), 1, Subject::Energy) {

@@ -59,12 +59,6 @@ impl<S: Scalar> From<&Params<S>> for Setting<S> {
     }
 }
 
-/// The positions of a placement.
-#[cfg_attr(feature = "contracts", ensures(result@ == x.seq()))]
-fn placement<S: Scalar, M: DroneMap<S>>(x: &M) -> &[S] {
-    x.as_ref()
-}
-
 /// Which reading of a theorem is meant.
 #[derive(Clone, Copy, PartialEq)]
 #[cfg_attr(not(creusot), derive(Debug, Eq, PartialOrd, Ord, Hash))]
@@ -209,7 +203,7 @@ impl Theorem {
         let Some(now) = run.first() else {
             return Verdict::Undecided;
         };
-        let now = placement(now);
+        let now = now.as_ref();
         let Some(later) = run.get(1..=self.span(form, now.len())) else {
             return Verdict::Undecided;
         };

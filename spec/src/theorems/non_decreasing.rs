@@ -3,9 +3,9 @@
 #[cfg(feature = "contracts")]
 use crate::model::*;
 
+use super::Setting;
 use super::hypothesis::at_targets;
 use super::verdict::{Subject, Verdict, at_most, equal};
-use super::{Setting, placement};
 use crate::placement::{gap, sum};
 use crate::{DroneMap, Ordered, Scalar};
 
@@ -13,7 +13,7 @@ use crate::{DroneMap, Ordered, Scalar};
 #[cfg_attr(feature = "contracts", requires(exact::<S>() && later@.len() > 0))]
 #[cfg_attr(feature = "contracts", ensures(decides(result, sum_of(now@) <= sum_of(later@[0].seq()))))]
 pub(super) fn conclusion<S: Ordered, M: DroneMap<S>>(now: &[S], later: &[M]) -> Verdict {
-    Verdict::one(at_most(&sum(now), &sum(placement(&later[0]))), 1, Subject::Sum)
+    Verdict::one(at_most(&sum(now), &sum(later[0].as_ref())), 1, Subject::Sum)
 }
 
 /// At the targets, c^{k+1} = c^k.
@@ -25,7 +25,7 @@ pub(super) fn stationary<S: Ordered, M: DroneMap<S>>(
     later: &[M],
 ) -> Verdict {
     Verdict::given(at_targets(setting, now), || {
-        Verdict::one(equal(&sum(now), &sum(placement(&later[0]))), 1, Subject::Sum)
+        Verdict::one(equal(&sum(now), &sum(later[0].as_ref())), 1, Subject::Sum)
     })
 }
 

@@ -20,7 +20,8 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("cordon-kani", &["cordon-spec"]),
     ("cordon-vector", &[]),
     ("cordon-core", &["cordon-spec"]),
-    ("cordon-run", &["cordon-spec", "cordon-vector", "cordon-core"]),
+    ("cordon-scenario", &["cordon-spec", "cordon-core"]),
+    ("cordon-run", &["cordon-spec", "cordon-vector", "cordon-core", "cordon-scenario"]),
     (
         "cordon-proof",
         &["cordon-spec", "cordon-check", "cordon-vector", "cordon-core", "cordon-run"],

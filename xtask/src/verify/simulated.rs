@@ -39,7 +39,7 @@ impl Tier for Simulated {
         &[
             "spec/src",
             "scenarios",
-            "crates/run/src/scenario",
+            "crates/scenario/src/scenario",
             "crates/run/src/simulate.rs",
             "crates/run/src/trace",
         ]

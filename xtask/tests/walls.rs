@@ -26,7 +26,8 @@ const ROOMS: &[(&str, &[&str])] = &[
         &["cordon-spec", "cordon-check", "cordon-vector", "cordon-core", "cordon-run"],
     ),
     ("cordon-fmi", &[]),
-    ("cordon-cosim", &["cordon-spec", "cordon-core", "cordon-run", "cordon-fmi"]),
+    ("cordon-cosim", &["cordon-spec", "cordon-core", "cordon-run"]),
+    ("cordon-formats", &["cordon-spec", "cordon-core", "cordon-run", "cordon-fmi", "cordon-cosim"]),
     ("cordon-fmu", &["cordon-cosim"]),
     ("cordon-paper", &["cordon-spec", "cordon-core", "cordon-run", "cordon-cosim"]),
     (
@@ -39,6 +40,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "cordon-run",
             "cordon-proof",
             "cordon-cosim",
+            "cordon-formats",
             "cordon-paper",
         ],
     ),
@@ -60,7 +62,7 @@ const KEPT: &[(&str, &[&str])] = &[
     ("clap", &["cordon", "xtask"]),
     ("plotters", &["cordon-paper"]),
     ("image", &["cordon-paper"]),
-    ("quick-xml", &["cordon-cosim"]),
+    ("quick-xml", &["cordon-formats"]),
     ("libloading", &["cordon-fmi"]),
 ];
 

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use crate::cli::scenario_args::ScenarioArgs;
 use cordon_core::{Error, Outcome, Result, files};
 use cordon_cosim::fmi::interface::{FmiVersion, Model, Positions};
-use cordon_cosim::fmi::{binary, import, package};
+use cordon_formats::fmi::{binary, import, package};
 
 /// Arguments of `cordon fmu`.
 #[derive(clap::Args, Debug)]

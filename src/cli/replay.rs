@@ -6,9 +6,9 @@ use std::path::PathBuf;
 use super::cosim::FlightArgs;
 use super::scenario_args::ScenarioArgs;
 use cordon_core::{Outcome, Result, files};
-use cordon_cosim::interchange::into_cps;
 use cordon_cosim::replay;
 use cordon_cosim::{run as engine, store};
+use cordon_formats::interchange::into_cps;
 
 /// Arguments of `cordon replay`.
 #[derive(clap::Args, Debug)]

@@ -6,7 +6,7 @@ use cordon_spec::Phase;
 
 use cordon_core::exact::{self, Rational};
 use cordon_core::{Error, Result, range};
-use cordon_cosim::interchange;
+use cordon_formats::interchange;
 use cordon_run::protocol;
 use cordon_run::scenario::{self, Draft, Flight, Places, Scenario, Start};
 

@@ -27,7 +27,8 @@ const ROOMS: &[(&str, &[&str])] = &[
         &["cordon-spec", "cordon-check", "cordon-vector", "cordon-core", "cordon-run"],
     ),
     ("cordon-fmi", &[]),
-    ("cordon-cosim", &["cordon-spec", "cordon-core", "cordon-run", "cordon-fmi"]),
+    ("cordon-cosim", &["cordon-spec", "cordon-core", "cordon-run"]),
+    ("cordon-formats", &["cordon-spec", "cordon-core", "cordon-run", "cordon-fmi", "cordon-cosim"]),
     ("cordon-fmu", &["cordon-cosim"]),
     ("cordon-paper", &["cordon-spec", "cordon-core", "cordon-run", "cordon-cosim"]),
     (
@@ -40,6 +41,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "cordon-run",
             "cordon-proof",
             "cordon-cosim",
+            "cordon-formats",
             "cordon-paper",
         ],
     ),
@@ -61,7 +63,7 @@ const KEPT: &[(&str, &[&str])] = &[
     ("clap", &["cordon", "xtask"]),
     ("plotters", &["cordon-paper"]),
     ("image", &["cordon-paper"]),
-    ("quick-xml", &["cordon-cosim"]),
+    ("quick-xml", &["cordon-formats"]),
     ("libloading", &["cordon-fmi"]),
 ];
 

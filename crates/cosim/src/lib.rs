@@ -30,8 +30,6 @@ pub mod exact_units;
 mod faults;
 #[cfg(feature = "swarm")]
 mod fleet;
-#[cfg(feature = "package")]
-pub mod interchange;
 #[cfg(feature = "swarm")]
 pub mod master;
 #[cfg(feature = "swarm")]

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
+use super::grid::Grid;
 use super::unit::{Causality, Unit, UnitError, Value, Variable, at_variable};
 use cordon_core::Result;
 
@@ -56,6 +57,14 @@ impl Wiring {
     pub fn add(&mut self, unit: Box<dyn Unit>) -> usize {
         self.units.push(unit);
         self.units.len() - 1
+    }
+
+    /// Initialises every unit, as if it received nothing yet.
+    ///
+    /// # Errors
+    /// A unit refuses.
+    pub fn initialise(&mut self, grid: &Grid) -> Result<()> {
+        Ok(self.units.iter_mut().try_for_each(|unit| unit.initialise(grid))?)
     }
 
     /// The units, in the order in which they were added.

@@ -17,9 +17,9 @@ use cordon_core::{Error, Outcome, Result};
 use cordon_core::{exact, files};
 use cordon_cosim::batch::Batch;
 use cordon_cosim::cosimulation::{Cosimulation, Loader};
-use cordon_cosim::fmi::import::{Isolation, substitute};
 use cordon_cosim::store::{self, Format};
 use cordon_cosim::{exact_run, run as engine};
+use cordon_formats::fmi::import::{Isolation, substitute};
 use cordon_run::scenario::{Flight, Own};
 
 /// Arguments of `cordon cosim`.

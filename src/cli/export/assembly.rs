@@ -8,8 +8,8 @@ use crate::cli::fmu::{BinaryArg, VersionArg};
 use crate::cli::scenario_args::ScenarioArgs;
 use cordon_core::{Error, Outcome, Result, files};
 use cordon_cosim::fmi::interface::FmiVersion;
-use cordon_cosim::fmi::{binary, package};
-use cordon_cosim::interchange::{Assembly, into_cps, ssp};
+use cordon_formats::fmi::{binary, package};
+use cordon_formats::interchange::{Assembly, into_cps, ssp};
 
 /// Arguments of both. Positions and parameters are doubles unless the scenario or `--exchange exact`
 /// says otherwise.

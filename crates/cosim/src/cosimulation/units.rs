@@ -3,7 +3,6 @@
 use super::Cosimulation;
 use crate::control::{Control, Gains};
 use crate::coordination::{Coordination, Exchange, Law, OwnLaw, Settings, Slot};
-#[cfg(feature = "package")]
 use crate::fmi::carried::Carried;
 use crate::own_flight;
 use crate::plant::Plant;
@@ -56,8 +55,7 @@ impl Cosimulation {
 
     /// The coordination unit of a drone of a protocol file, as exported: its parameters select the
     /// drone. `None` for the built-in protocols.
-    #[cfg(feature = "package")]
-    pub(crate) fn open_coordination(&self, drone: usize) -> Option<Coordination> {
+    pub fn open_coordination(&self, drone: usize) -> Option<Coordination> {
         let carried = Carried::of(&self.scenario)?;
         let settings = carried.settings(drone, self.exchange, self.on_loss);
         Some(Coordination::new(Seat::coordination(drone).name(), settings))

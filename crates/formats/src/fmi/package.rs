@@ -6,8 +6,8 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
 use super::description::model_description;
-use super::interface::{FmiVersion, Model};
 use cordon_core::{Error, Result};
+use cordon_cosim::fmi::interface::{FmiVersion, Model};
 
 /// The name of this platform in FMUs (a folder; it differs between FMI 2.0 and 3.0), and the extension
 /// of shared libraries. `None` where the standards have no name for it.

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
-use super::interface::FmiVersion;
 use super::units::Si;
+use cordon_cosim::fmi::interface::FmiVersion;
 
 /// A model description, as far as a co-simulation needs it.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,14 +8,14 @@ pub mod ssp;
 
 pub use read::{is_system, read};
 
-use crate::cosimulation::Cosimulation;
-use crate::fmi::interface::{Model, START_INPUTS, TAU, default_tau};
-use crate::master::Algorithm;
-use crate::seat::Seat;
-use crate::unit::{Causality, Unit, Value};
-use crate::wiring::Port;
 use cordon_core::exact::Rational;
 use cordon_core::{Error, Result};
+use cordon_cosim::cosimulation::Cosimulation;
+use cordon_cosim::fmi::interface::{Model, START_INPUTS, TAU, default_tau};
+use cordon_cosim::master::Algorithm;
+use cordon_cosim::seat::Seat;
+use cordon_cosim::unit::{Causality, Unit, Value};
+use cordon_cosim::wiring::Port;
 use cordon_run::scenario::UnitName;
 
 /// Instances of exported units and their connections.
@@ -122,7 +122,7 @@ impl Assembly {
     /// As for [`Assembly::of`].
     pub fn with_first_inputs(mut self, swarm: &Cosimulation) -> Result<Self> {
         let mut wiring = swarm.wiring()?;
-        wiring.units.iter_mut().try_for_each(|unit| unit.initialise(&swarm.grid))?;
+        wiring.initialise(&swarm.grid)?;
         for ((from, _), (_, to)) in wiring.connections().zip(&self.connections) {
             let Some(unit) = wiring.units().get(from.unit) else { continue };
             let sent = unit.get(from.variable)?;

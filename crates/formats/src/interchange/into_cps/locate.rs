@@ -9,11 +9,11 @@ use serde_json::Value as Json;
 
 use super::MultiModel;
 use crate::fmi::archive::Fmu;
-use crate::fmi::uri;
 use crate::interchange::ports::Ports;
 use crate::interchange::read::{Clock, System};
 use cordon_core::files::{self, Limit};
 use cordon_core::{Error, Result};
+use cordon_cosim::fmi::uri;
 
 /// Whether a JSON file is a multi-model, or a co-simulation configuration that names one, judged by its
 /// fields: recorded runs are JSON too.

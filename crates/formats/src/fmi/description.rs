@@ -5,11 +5,11 @@ use std::io::{Cursor, Result};
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
 
-use super::interface::{FmiVersion, Model, default_tau};
 use super::units::{self, Xml, has_unit};
-use crate::unit::{Causality, Kind, Value, Variable};
 use cordon_core::exact;
 use cordon_core::text::one_line;
+use cordon_cosim::fmi::interface::{FmiVersion, Model, default_tau};
+use cordon_cosim::unit::{Causality, Kind, Value, Variable};
 
 /// Stop time proposed to importers, in seconds: that of the paper's figures.
 const STOP_TIME: &str = "25";

@@ -5,9 +5,9 @@ use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use super::interface::BINARY_MARK;
 use cordon_core::files::{self, Limit};
 use cordon_core::{Error, Result};
+use cordon_cosim::fmi::interface::BINARY_MARK;
 
 /// The compiled crate's file name.
 fn file_name() -> String {

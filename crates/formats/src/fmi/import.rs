@@ -14,10 +14,10 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use crate::fmi::archive::Fmu;
-use crate::unit::Unit;
 #[cfg(not(feature = "fmi-import"))]
 use cordon_core::Error;
 use cordon_core::Result;
+use cordon_cosim::unit::Unit;
 use cordon_run::scenario::Substitute;
 
 /// Where the code of an FMU runs.
@@ -38,7 +38,7 @@ pub enum Isolation {
     InProcess,
 }
 
-/// Replaces a unit by an FMU, see [`Loader`](crate::cosimulation::Loader).
+/// Replaces a unit by an FMU, see [`Loader`](cordon_cosim::cosimulation::Loader).
 ///
 /// # Errors
 /// The FMU cannot be read, is for another platform, or lacks a variable of the unit; or this

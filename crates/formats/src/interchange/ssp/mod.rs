@@ -10,13 +10,13 @@ use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
 
 use super::{Assembly, Instance};
-use crate::fmi::interface::{FmiVersion, Model};
 use crate::fmi::package;
 use crate::fmi::units::{self, Xml, has_unit};
-use crate::seat::Seat;
-use crate::unit::{Causality, Kind, Value, Variable};
 use cordon_core::exact;
 use cordon_core::text::one_line;
+use cordon_cosim::fmi::interface::{FmiVersion, Model};
+use cordon_cosim::seat::Seat;
+use cordon_cosim::unit::{Causality, Kind, Value, Variable};
 
 /// File name extension of archives.
 pub const ENDING: &str = "ssp";

@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 
 use zip::ZipArchive;
 
-use super::carried::{self, Carried};
 #[cfg(feature = "fmi-import")]
 use super::import::folder::Folder;
-use super::interface::{FmiVersion, Model};
 use super::model_description::{FmuVariable, ModelDescription};
 use super::package::platform;
 use cordon_core::{Error, Result, files};
+use cordon_cosim::fmi::carried::{self, Carried};
+use cordon_cosim::fmi::interface::{FmiVersion, Model};
 
 /// An FMU on disk with its model description.
 #[derive(Clone, Debug, PartialEq)]
@@ -234,7 +234,7 @@ mod tests {
 
     use super::*;
     use crate::fmi::description::model_description;
-    use crate::fmi::interface::Positions;
+    use cordon_cosim::fmi::interface::Positions;
     use cordon_run::scenario::parse;
 
     #[test]

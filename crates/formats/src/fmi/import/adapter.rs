@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use crate::fmi::archive::Fmu;
 use crate::fmi::model_description::{FmuVariable, REALS};
 use crate::fmi::units::{Conversion, Si};
-use crate::unit::{Causality, Kind, Unit, Value, Variable};
 use cordon_core::{Error, Rational, Result, exact};
+use cordon_cosim::unit::{Causality, Kind, Unit, Value, Variable};
 use cordon_run::scenario::{Parameter, Substitute};
 use num_traits::ToPrimitive;
 

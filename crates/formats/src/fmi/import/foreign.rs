@@ -10,15 +10,15 @@ use super::Isolation;
 use super::adapter::{Counterpart, Map};
 use super::folder::Folder;
 use crate::fmi::archive::Fmu;
-use crate::fmi::interface::FmiVersion;
 use crate::fmi::model_description::FmuVariable;
-use crate::grid::Grid;
-use crate::quotient::Quotient;
-use crate::unit::{
+use cordon_core::{Result, exact};
+use cordon_cosim::fmi::interface::FmiVersion;
+use cordon_cosim::grid::Grid;
+use cordon_cosim::quotient::Quotient;
+use cordon_cosim::unit::{
     Causality, Kind, Unit, UnitError, Value, Variable, at_variable, no_such_variable, not_settable,
     wrong_kind,
 };
-use cordon_core::{Result, exact};
 
 /// Most notes kept of a run.
 const MOST_NOTES: usize = 20;

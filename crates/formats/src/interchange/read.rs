@@ -14,15 +14,15 @@ use serde_json::Value as Json;
 use super::into_cps::{self, MasterAlgorithm};
 use super::ports::{Instance, Port, Ports};
 use super::{Assembly, End, ssp};
-use crate::coordination::OwnLaw;
-use crate::cosimulation::Cosimulation;
 use crate::fmi::archive::Fmu;
-use crate::fmi::interface::{Model, Positions, TAU};
-use crate::quotient::Quotient;
-use crate::seat::Seat;
-use crate::unit::Value;
 use cordon_core::exact::{self, Rational};
 use cordon_core::{Error, Result};
+use cordon_cosim::coordination::OwnLaw;
+use cordon_cosim::cosimulation::Cosimulation;
+use cordon_cosim::fmi::interface::{Model, Positions, TAU};
+use cordon_cosim::quotient::Quotient;
+use cordon_cosim::seat::Seat;
+use cordon_cosim::unit::Value;
 use cordon_run::scenario::{Draft, Flight, Parameter, Start, Substitute, UnitName};
 
 /// Whether a file's name is that of a multi-model or an SSP archive.

@@ -3,10 +3,10 @@
 use serde_json::{Value as Json, json};
 
 use super::{MasterAlgorithm, MultiModel};
-use crate::fmi::interface::Model;
 use crate::interchange::{Assembly, End, Instance};
-use crate::unit::Value;
 use cordon_core::exact;
+use cordon_cosim::fmi::interface::Model;
+use cordon_cosim::unit::Value;
 
 /// Name of the multi-model in an exported folder.
 pub const FILE_NAME: &str = "multi-model.json";

@@ -5,7 +5,7 @@ use std::io::{Cursor, Result};
 
 use quick_xml::Writer;
 
-use crate::unit::{Dimension, Kind, Variable};
+use cordon_cosim::unit::{Dimension, Kind, Variable};
 
 /// XML being written.
 pub(crate) type Xml = Writer<Cursor<Vec<u8>>>;

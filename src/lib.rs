@@ -223,17 +223,15 @@ pub fn protocol_file(toml: &str) -> Result<system::System> {
 /// The certificate is beyond the checker's limits.
 pub fn prove_claims(system: &system::System) -> Result<Option<String>> {
     let Some(found) = cordon_proof::claims::prove(system) else { return Ok(None) };
-    let certificate = cordon_proof::claims::certificate::certificate(&found.system, &found.proof)
-        .ok_or_else(|| Error::internal("a proof without a certificate"))?;
-    cordon_proof::certificate::judged(&certificate)?;
-    Ok(Some(certificate.to_string()))
+    let certificate = cordon_proof::claims::certificate::certified(&found)?;
+    Ok(Some(certificate.map_err(Error::input)?.to_string()))
 }
 
 /// Searches for the smallest counterexample to the claims about a system, up to step `steps`: constants
 /// take the ends of their ranges and fractions with denominators up to 8, varying parameters take their
 /// ends. `None`: none was found.
 pub fn refute_claims(system: &system::System, steps: usize) -> Option<ClaimRun> {
-    let constants = cordon_proof::claims::constants(system, 8)?;
+    let constants = cordon_proof::claims::constants_up_to(system, 8);
     cordon_proof::claims::refute(system, &constants, None, steps).0
 }
 

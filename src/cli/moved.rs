@@ -11,7 +11,11 @@ pub struct Args {
 
 /// The error that names the command's new place.
 pub(super) fn to(name: &str) -> Error {
+    let own = match name {
+        "verify" => "; for a protocol file `cordon theorems --protocol FILE --check`",
+        _ => "",
+    };
     Error::input(format!(
-        "`cordon {name}` works inside the repository only: expected `cargo xtask {name}`, in its folder"
+        "`cordon {name}` works inside the repository only: expected `cargo xtask {name}`, in its folder{own}"
     ))
 }

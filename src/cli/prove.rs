@@ -34,6 +34,9 @@ pub struct Args {
     /// Number of drones: one N from 3 to 1000000, or every N
     #[arg(long, value_name = "N|any", default_value = "any", conflicts_with = "protocol")]
     pub drones: String,
+    /// With --protocol: the claims up to this step only
+    #[arg(long, value_name = "K", help_heading = "Own protocol")]
+    pub steps: Option<usize>,
     /// Folder to write the certificates to
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -60,12 +63,19 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
         return own_protocol::prove_flow(&args.own, &file, &flow, folder, args.format, out);
     }
     let own = args.own.system()?;
+    if args.steps.is_some() && own.is_none() {
+        return Err(Error::input("steps: expected --protocol with it"));
+    }
     if let Some(folder) = &args.out {
         std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
     }
     if let Some((file, system)) = own {
         let folder = args.out.as_deref();
-        return own_protocol::prove(&args.own, &file, &system, folder, args.format, out);
+        let (own, system) = match args.steps {
+            Some(last) => args.own.up_to(&file, system, last)?,
+            None => (args.own.clone(), system),
+        };
+        return own_protocol::prove(&own, &file, &system, folder, args.format, out);
     }
     let drones = drones(&args.drones)?;
     let weights = args.eps.as_deref().map(|t| range::closed("eps", t)).transpose()?;

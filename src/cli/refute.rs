@@ -82,7 +82,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     args.check()?;
     if let Some((_, system)) = args.own.system()? {
         let search = own_protocol::Search {
-            denominators: args.greatest(system.parameters.iter().any(has_range))?,
+            denominators: args.denominators_within(system.parameters.iter().any(has_range))?,
             steps: args.steps,
             start: args.start.as_deref().map(positions).transpose()?,
             file: args.out.clone(),
@@ -177,14 +177,18 @@ impl Args {
         }
     }
 
-    /// The greatest denominator; `ranged` says whether there is a range that it is about.
-    fn greatest(&self, ranged: bool) -> Result<u32> {
+    /// The greatest denominator, where one is given; `ranged` says whether there is a range that it is about.
+    fn denominators_within(&self, ranged: bool) -> Result<Option<u32>> {
         match self.denominators {
             Some(given) if !ranged => Err(Error::input(format!(
                 "denominators: `{given}`: expected a range of weights or of a parameter to search: all are fixed"
             ))),
-            given => Ok(given.unwrap_or(own_protocol::DENOMINATORS)),
+            given => Ok(given),
         }
+    }
+
+    fn greatest(&self, ranged: bool) -> Result<u32> {
+        Ok(self.denominators_within(ranged)?.unwrap_or(own_protocol::DENOMINATORS))
     }
 
     /// How steps may depart from the protocol as written.

@@ -122,6 +122,31 @@ fn local_machines_and_flights_run_the_file() {
     assert!(flown.contains("smallest gap"), "{flown}");
 }
 
+/// A swarm in the plane that is exported and read again flies the same run.
+#[test]
+fn planar_exports_fly_as_the_file_does() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let start: Vec<String> = (0..16).map(|i| format!("{},{}", i % 4 * 3, i / 4 * 2)).collect();
+    let flags =
+        format!("--protocol scenarios/own/grid.toml --set eps=1/5 --start {}", start.join(","));
+    let flown = |what: &str| {
+        let file = at("run.csv");
+        let (code, _, said) = call(&format!("cosim {what} --duration 2 --out {file}"));
+        assert_eq!(code, 0, "{said}");
+        fs::read_to_string(file).unwrap()
+    };
+    let wanted = flown(&format!("{flags} --exchange double"));
+    assert!(wanted.starts_with("time,xd0,") && wanted.contains(",yd15,"), "{wanted}");
+    for (kind, to, read) in
+        [("ssp", "grid.ssp", "grid.ssp"), ("into-cps", "grid", "grid/multi-model.json")]
+    {
+        let (code, _, said) = call(&format!("export {kind} {flags} --out {}", at(to)));
+        assert_eq!(code, 0, "{said}");
+        assert_eq!(flown(&at(read)), wanted, "{kind}");
+    }
+}
+
 /// What z3 says of an exported script, a word a query.
 fn answers(line: &str) -> Vec<String> {
     let (code, script, said) = call(line);

@@ -1,6 +1,9 @@
 //! `--protocol FILE` of the commands that decide: a user's own protocol.
 
+mod convergence;
+mod every_number;
 mod flow;
+mod page;
 mod prove;
 mod refute;
 mod settle;
@@ -17,7 +20,7 @@ pub use refute::{DENOMINATORS, Search, refute};
 pub use settle::settle;
 pub use sweep::{Extent, sweep};
 pub use theorems::theorems;
-pub use threshold::threshold;
+pub use threshold::{Asked, threshold};
 
 use super::table::abridged;
 use cordon_core::exact::shortened;
@@ -54,7 +57,7 @@ impl ProtocolArgs {
     /// The file is wrong, a parameter is not there, or no start meets the assumptions.
     pub fn system(&self) -> Result<Option<(ProtocolFile, System)>> {
         let Some(path) = &self.protocol else { return Ok(None) };
-        let file = read(path)?;
+        let file = opened(path)?;
         let system = self.sized(&file, self.agents.unwrap_or(file.agents.fewest()))?;
         expect_claim(path, &system)?;
         if claims::is_vacuous(&system) {
@@ -76,7 +79,7 @@ impl ProtocolArgs {
     /// As for [`system`](Self::system).
     pub fn flow(&self) -> Result<Option<(ProtocolFile, Flow)>> {
         let Some(path) = &self.protocol else { return Ok(None) };
-        let file = read(path)?;
+        let file = opened(path)?;
         if !file.is_continuous {
             return Ok(None);
         }
@@ -126,6 +129,34 @@ impl ProtocolArgs {
         Ok(())
     }
 
+    /// The system with its claims up to a step, and none of later ones; with the number of agents that it has.
+    ///
+    /// # Errors
+    /// There is no claim about these steps, or they are too many.
+    pub fn up_to(
+        &self,
+        file: &ProtocolFile,
+        mut system: System,
+        last: usize,
+    ) -> Result<(Self, System)> {
+        let most = claims::PROOF.steps;
+        if last >= most {
+            return Err(Error::input(format!("steps: `{last}`: expected less than {most}")));
+        }
+        system.claims.retain(|claim| claim.from <= last);
+        if system.claims.is_empty() {
+            return Err(Error::input(format!(
+                "steps: `{last}`: expected more, since no claim is about a step up to that"
+            )));
+        }
+        for claim in &mut system.claims {
+            claim.until = Some(claim.until.map_or(last, |until| until.min(last)));
+        }
+        system.converges = None;
+        let agents = if file.is_family() { Some(system.agents) } else { self.agents };
+        Ok((Self { agents, ..self.clone() }, system))
+    }
+
     /// The family of a protocol for every number of agents, where no number is named; or why there is
     /// none.
     ///
@@ -166,6 +197,18 @@ impl ProtocolArgs {
             flags += &format!(" --set {}", shell_word(set));
         }
         flags
+    }
+}
+
+/// Reads a protocol file; elsewhere the flag also takes the name of a built-in protocol.
+fn opened(path: &Path) -> Result<ProtocolFile> {
+    let name = path.to_string_lossy();
+    match ["coverage", "consensus", "formation"].contains(&name.as_ref()) && !path.exists() {
+        true => Err(Error::input(format!(
+            "protocol: `{name}`: expected a protocol file here; without --protocol this command is about \
+             the built-in coverage"
+        ))),
+        false => read(path),
     }
 }
 

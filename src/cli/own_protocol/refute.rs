@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use num_traits::Zero;
 use serde_json::{Value, json};
 
-use super::show::{constants_text, head, headline};
+use super::page::Page;
+use super::show::{constants_text, constants_tried};
 use super::{ProtocolArgs, assumed};
 use crate::cli::select::OutputFormat;
 use crate::cli::table;
@@ -22,8 +23,9 @@ use cordon_proof::counterexample::list;
 /// Where to search for a counterexample.
 #[derive(Clone, Debug)]
 pub struct Search {
-    /// Of a range of constants, the fractions with denominators up to this.
-    pub denominators: u32,
+    /// Of a range of constants, the fractions with denominators up to this; else up to
+    /// [`DENOMINATORS`], or less where those are too many.
+    pub denominators: Option<u32>,
     /// Last step.
     pub steps: usize,
     /// Only the run from this start.
@@ -34,13 +36,13 @@ pub struct Search {
     pub known: Option<Run>,
 }
 
-/// Greatest denominators of constants that are searched, where nothing else is said.
+/// Greatest denominators of constants that are searched, where nothing else is said and they are not too many.
 pub const DENOMINATORS: u32 = 8;
 
 impl Default for Search {
     /// What follows where no proof is found: constants with small denominators, some steps.
     fn default() -> Self {
-        Self { denominators: DENOMINATORS, steps: 8, start: None, file: None, known: None }
+        Self { denominators: None, steps: 8, start: None, file: None, known: None }
     }
 }
 
@@ -61,20 +63,14 @@ pub fn refute(
             "claims: none in the protocol file: expected `claims`, or `cordon prove`, which judges convergence",
         ));
     }
-    let text = format == OutputFormat::Text;
     // What is wrong with the flags is said before anything else.
     constants_of(system, search.denominators)?;
     search.start.as_deref().map(|x| assumed(system, x)).transpose()?;
-    if text {
-        writeln!(out, "{}", headline(system))?;
-        out.flush()?;
-    }
-    let (outcome, found) = refuted_claims(args, system, search, text, out)?;
-    if !text {
-        let mut page = head(system);
-        page.insert("claims", found);
-        writeln!(out, "{:#}", json!(page))?;
-    }
+    let mut page = Page::new(args, system, None, format, out);
+    page.headline(system)?;
+    let (outcome, found) = refuted_claims(args, system, search, &mut page)?;
+    page.field("claims", found);
+    page.end()?;
     Ok(outcome)
 }
 
@@ -82,16 +78,19 @@ pub fn refute(
 ///
 /// # Errors
 /// There are too many.
-pub fn constants_of(system: &System, denominators: u32) -> Result<Vec<Vec<Rational>>> {
+pub fn constants_of(system: &System, denominators: Option<u32>) -> Result<Vec<Vec<Rational>>> {
+    let Some(denominators) = denominators else {
+        return Ok(claims::constants_up_to(system, DENOMINATORS));
+    };
     claims::constants(system, denominators).ok_or_else(|| {
         Error::input(format!(
-            "set: more than {MOST_COMBINATIONS} combinations of constants: expected values for some, or \
-             smaller denominators"
+            "denominators: `{denominators}`: more than {MOST_COMBINATIONS} combinations of constants: expected \
+             smaller ones, or values for some constants"
         ))
     })
 }
 
-/// The search, said in text where that is wanted, and as JSON.
+/// The search, said on a page; with its field.
 ///
 /// # Errors
 /// As for [`refute`].
@@ -99,8 +98,7 @@ pub fn refuted_claims(
     args: &ProtocolArgs,
     system: &System,
     search: &Search,
-    text: bool,
-    out: &mut dyn Write,
+    page: &mut Page<'_>,
 ) -> Result<(Outcome, Value)> {
     let constants = constants_of(system, search.denominators)?;
     let start = search.start.as_deref().map(|x| assumed(system, x)).transpose()?;
@@ -110,18 +108,16 @@ pub fn refuted_claims(
         (Some(run), Some(file)) => Some(written(system, run, file)?),
         _ => None,
     };
-    if text {
-        match &found {
-            Some(run) => refuted(args, system, run, out)?,
-            None => not_refuted(system, search, &constants, complete, out)?,
-        }
-        match (&file, &search.file) {
-            (Some(file), _) => writeln!(out, "  wrote {file}")?,
-            (None, Some(_)) => writeln!(out, "  (no file: there is nothing to certify)")?,
-            (None, None) => {}
-        }
+    match &found {
+        Some(run) => refuted(args, system, run, page)?,
+        None => not_refuted(system, search, &constants, complete, page)?,
     }
-    let page = json!({
+    match (&file, &search.file) {
+        (Some(file), _) => page.line(format_args!("  wrote {file}"))?,
+        (None, Some(_)) => page.line("  (no file: there is nothing to certify)")?,
+        (None, None) => {}
+    }
+    let field = json!({
         "proved": if found.is_some() { json!(false) } else { Value::Null },
         "counterexample": found.as_ref().map(|run| as_json(args, system, run)),
         "file": file,
@@ -131,7 +127,7 @@ pub fn refuted_claims(
             "starts": if search.start.is_some() { "given" } else { "every" },
         },
     });
-    Ok((if found.is_some() { Outcome::Refuted } else { Outcome::Inconclusive }, page))
+    Ok((if found.is_some() { Outcome::Refuted } else { Outcome::Inconclusive }, field))
 }
 
 /// Writes the certificate of a run that the checker has judged.
@@ -142,21 +138,15 @@ fn written(system: &System, run: &Run, file: &Path) -> Result<String> {
     certificate::write_file(file, &certificate)
 }
 
-fn refuted(args: &ProtocolArgs, system: &System, run: &Run, out: &mut dyn Write) -> Result<()> {
-    writeln!(
-        out,
-        "  refuted{}: `{}` fails at step {}",
-        constants_text(system, &run.values),
-        claim_text(system, run),
-        run.step
-    )?;
-    shown(system, run, out)?;
-    match is_short(run) {
-        true => writeln!(out, "  {}, exact", Evidence::ThisRunOnly)?,
-        false => writeln!(out, "  {}, exact; shown rounded", Evidence::ThisRunOnly)?,
+fn refuted(args: &ProtocolArgs, system: &System, run: &Run, page: &mut Page<'_>) -> Result<()> {
+    let (at, claim) = (constants_text(system, &run.values), claim_text(system, run));
+    page.line(format_args!("  refuted{at}: `{claim}` fails at step {}", run.step))?;
+    if let Some(out) = page.text() {
+        shown(system, run, out)?;
     }
-    writeln!(out, "  replay: {}", replay_line(args, system, run))?;
-    Ok(())
+    let rounded = if is_short(run) { "" } else { "; shown rounded" };
+    page.line(format_args!("  {}, exact{rounded}", Evidence::ThisRunOnly))?;
+    page.line(format_args!("  replay: {}", replay_line(args, system, run)))
 }
 
 fn has_choices(system: &System) -> bool {
@@ -228,21 +218,18 @@ fn not_refuted(
     search: &Search,
     constants: &[Vec<Rational>],
     complete: usize,
-    out: &mut dyn Write,
+    page: &mut Page<'_>,
 ) -> Result<()> {
     let which = if search.start.is_some() {
         "from this start"
     } else {
         Evidence::CompleteForAllStarts.text()
     };
-    let texts: Vec<String> = constants.iter().map(|v| constants_text(system, v)).collect();
-    let at = match texts.as_slice() {
-        [one] => one.clone(),
-        many => format!(" at {} combinations of constants", many.len()),
-    };
-    writeln!(out, "  not refuted: no counterexample up to step {complete}{at}: {which}")?;
+    let at = constants_tried(system, constants);
+    page.line(format_args!("  not refuted: no counterexample up to step {complete}{at}: {which}"))?;
     if complete < search.steps {
-        writeln!(out, "  (the search was too large to go on to step {})", search.steps)?;
+        let last = search.steps;
+        page.line(format_args!("  (the search was too large to go on to step {last})"))?;
     }
     Ok(())
 }

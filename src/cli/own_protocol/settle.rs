@@ -5,8 +5,9 @@ use std::path::Path;
 
 use serde_json::json;
 
-use super::prove::{round_text, written};
-use super::show::{head, headline};
+use super::convergence::round_text;
+use super::page::Page;
+use super::show::headline;
 use super::{ProtocolArgs, assumed};
 use crate::cli::select::OutputFormat;
 use cordon_core::exact::{decimal_string, fraction};
@@ -39,63 +40,51 @@ pub fn settle(
     let state = start.map(|x| assumed(system, x)).transpose()?;
     let found = converge::contraction(system)?;
     let step = found.as_ref().and_then(|c| settles(system, c, state.as_deref(), within));
-    let file = match &found {
-        Some(found) => written(args, folder, "-converges", &found.certificate)?,
-        None => None,
+    let mut page = Page::new(args, system, folder, format, out);
+    page.line(headline(system))?;
+    let from = if start.is_some() { "this start" } else { "every assumed start" };
+    let of = match system.converges {
+        Some(Convergence::Agreement) => "agent 0",
+        _ => "its target",
     };
-    match format {
-        OutputFormat::Text => {
-            writeln!(out, "{}", headline(system))?;
-            let from = if start.is_some() { "this start" } else { "every assumed start" };
-            let of = match system.converges {
-                Some(Convergence::Agreement) => "agent 0",
-                _ => "its target",
-            };
-            match (&found, step) {
-                (Some(c), Some(step)) => {
-                    writeln!(
-                        out,
-                        "  every agent within {} of {of} from step {step} on, from {from}",
-                        fraction(within)
-                    )?;
-                    writeln!(
-                        out,
-                        "  {}: a quadratic form falls by {} ({}) in every {}; the true step may be earlier",
-                        Evidence::Certified,
-                        fraction(&c.rate),
-                        decimal_string(&c.rate, 6),
-                        round_text(c)
-                    )?;
-                }
-                (Some(_), None) => writeln!(
-                    out,
-                    "  converges, but the assumed starts are not bounded: expected `start` in the file to \
-                     bound every variable, or --start"
-                )?,
-                (None, _) => {
-                    let why = converge::open(system, "no form that falls in every step was found");
-                    writeln!(out, "  {why}")?;
-                }
-            }
-            if let Some(file) = &file {
-                writeln!(out, "  wrote {file}")?;
-            }
+    let distance = fraction(within);
+    match (&found, step) {
+        (Some(c), Some(step)) => {
+            page.line(format_args!(
+                "  every agent within {distance} of {of} from step {step} on, from {from}"
+            ))?;
+            page.line(format_args!(
+                "  {}: a quadratic form falls by {} ({}) in every {}; the true step may be earlier",
+                Evidence::Certified,
+                fraction(&c.rate),
+                decimal_string(&c.rate, 6),
+                round_text(c)
+            ))?;
         }
-        OutputFormat::Json => {
-            let mut page = head(system);
-            page.insert(
-                "settle",
-                json!({
-                    "within": fraction(within),
-                    "starts": if start.is_some() { "given" } else { "every" },
-                    "step": step,
-                    "rate": found.as_ref().map(|c| fraction(&c.rate)),
-                    "round": found.as_ref().map(|c| c.round),
-                    "file": file,
-                }),
-            );
-            writeln!(out, "{:#}", json!(page))?;
+        (Some(_), None) => page.line(
+            "  converges, but the assumed starts are not bounded: expected `start` in the file to \
+             bound every variable, or --start",
+        )?,
+        (None, _) => {
+            let why = converge::open(system, "no form that falls in every step was found");
+            page.line(format_args!("  {why}"))?;
         }
     }
+    let file = match &found {
+        Some(found) => page.certificate("-converges", &found.certificate)?,
+        None => None,
+    };
+    page.field(
+        "settle",
+        json!({
+            "within": distance,
+            "starts": if start.is_some() { "given" } else { "every" },
+            "step": step,
+            "rate": found.as_ref().map(|c| fraction(&c.rate)),
+            "round": found.as_ref().map(|c| c.round),
+            "file": file,
+        }),
+    );
+    page.end()?;
     Ok(if step.is_some() { Outcome::Holds } else { Outcome::Inconclusive })
 }

@@ -5,8 +5,9 @@ use std::io::Write;
 use serde_json::{Value, json};
 
 use super::ProtocolArgs;
-use super::refute::{as_json, constants_of, replay_line};
-use super::show::{constants_text, head, headline, when};
+use super::page::Page;
+use super::refute::{as_json, replay_line};
+use super::show::{constants_text, constants_tried, counted, when};
 use crate::cli::select::OutputFormat;
 use cordon_core::system::System;
 use cordon_core::{Error, Evidence, Outcome, Result};
@@ -18,7 +19,7 @@ use cordon_proof::claims::{self, Run};
 pub struct Extent {
     /// Parts into which the range of each variable is divided; none for all real starts.
     pub grid: Option<u32>,
-    /// Of a range of constants, the fractions with denominators up to this.
+    /// Of a range of constants, the fractions with denominators up to this, or less where those are too many.
     pub denominators: u32,
     /// Last step.
     pub steps: usize,
@@ -50,16 +51,13 @@ pub fn sweep(
     if system.claims.is_empty() {
         return Err(Error::input("claims: none in the protocol file: expected `claims`"));
     }
-    let constants = constants_of(system, extent.denominators)?;
-    let text = format == OutputFormat::Text;
+    let constants = claims::constants_up_to(system, extent.denominators);
     let tried = match extent.grid {
         Some(parts) => Some(on_grid(system, &constants, parts, extent.steps)?),
         None => None,
     };
-    if text {
-        writeln!(out, "{}", headline(system))?;
-        out.flush()?;
-    }
+    let mut page = Page::new(args, system, None, format, out);
+    page.headline(system)?;
     let mut rows = Vec::new();
     for (text, indices) in system.written_claims() {
         let mut one = system.clone();
@@ -80,81 +78,56 @@ pub fn sweep(
         };
         rows.push(Row { text, when: first.map_or_else(String::new, when), vacuous, run, steps });
     }
-    let from = match &tried {
+    let (evidence, from) = match &tried {
         Some(tried) => {
-            let starts = if tried.starts == 1 { "start" } else { "starts" };
-            format!("{}, {} {starts}", Evidence::ExhaustiveOnGrid, tried.starts)
+            let grid = Evidence::ExhaustiveOnGrid;
+            (grid, format!("{grid}, {}", counted(tried.starts, "start")))
         }
-        None => Evidence::CompleteForAllStarts.to_string(),
+        None => (Evidence::CompleteForAllStarts, Evidence::CompleteForAllStarts.to_string()),
     };
-    let at = match constants.as_slice() {
-        [one] => constants_text(system, one),
-        many => format!(" at {} combinations of constants", many.len()),
-    };
-    if text {
-        for (row, number) in rows.iter().zip(1..) {
-            match &row.run {
-                Some(run) => {
-                    let text = system.claims.get(run.claim).map_or("", |c| &c.predicate.text);
-                    writeln!(
-                        out,
-                        "  claim {number}, `{}`{}, fails{}: `{text}` at step {}",
-                        row.text,
-                        row.when,
-                        constants_text(system, &run.values),
-                        run.step
-                    )?;
-                    writeln!(out, "    replay: {}", replay_line(args, system, run))?;
-                }
-                None => match row.vacuous {
-                    Some(why) => {
-                        writeln!(
-                            out,
-                            "  claim {number}, `{}`{}, is vacuous: {why}",
-                            row.text, row.when
-                        )?;
-                    }
-                    None => writeln!(
-                        out,
-                        "  claim {number}, `{}`{}, holds up to step {}{at} ({from})",
-                        row.text, row.when, row.steps
-                    )?,
-                },
+    let at = constants_tried(system, &constants);
+    for (row, number) in rows.iter().zip(1..) {
+        let claim = format!("  claim {number}, `{}`{}", row.text, row.when);
+        match (&row.run, row.vacuous) {
+            (Some(run), _) => {
+                let text = system.claims.get(run.claim).map_or("", |c| &c.predicate.text);
+                let at = constants_text(system, &run.values);
+                page.line(format_args!("{claim}, fails{at}: `{text}` at step {}", run.step))?;
+                page.line(format_args!("    replay: {}", replay_line(args, system, run)))?;
+            }
+            (None, Some(why)) => page.line(format_args!("{claim}, is vacuous: {why}"))?,
+            (None, None) => {
+                page.line(format_args!("{claim}, holds up to step {}{at} ({from})", row.steps))?;
             }
         }
-        if system.converges.is_some() {
-            writeln!(out, "  convergence is not for a sweep: `cordon prove` judges it")?;
-        }
-        if rows.iter().any(|r| r.run.is_none() && r.steps < extent.steps) {
-            writeln!(out, "  (the search was too large to go on to step {})", extent.steps)?;
-        }
-    } else {
-        let evidence = match tried {
-            Some(_) => Evidence::ExhaustiveOnGrid,
-            None => Evidence::CompleteForAllStarts,
-        };
-        let row = |row: &Row<'_>| -> Value {
-            json!({
-                "claim": row.text,
-                "holds": if row.vacuous.is_some() { Value::Null } else { json!(row.run.is_none()) },
-                "steps": row.run.as_ref().map_or(row.steps, |run| run.step),
-                "evidence": if row.run.is_some() { Evidence::ThisRunOnly } else { evidence },
-                "counterexample": row.run.as_ref().map(|run| as_json(args, system, run)),
-            })
-        };
-        let mut page = head(system);
-        page.insert(
-            "sweep",
-            json!({
-                "starts": tried.as_ref().map(|t| t.starts),
-                "grid": extent.grid,
-                "steps": extent.steps,
-                "constants": constants.len(),
-                "claims": rows.iter().map(row).collect::<Vec<_>>(),
-            }),
-        );
-        writeln!(out, "{:#}", json!(page))?;
     }
+    if system.converges.is_some() {
+        page.line("  convergence is not for a sweep: `cordon prove` judges it")?;
+    }
+    if rows.iter().any(|r| r.run.is_none() && r.steps < extent.steps) {
+        let last = extent.steps;
+        page.line(format_args!("  (the search was too large to go on to step {last})"))?;
+    }
+    let row = |row: &Row<'_>| -> Value {
+        json!({
+            "claim": row.text,
+            "holds": if row.vacuous.is_some() { Value::Null } else { json!(row.run.is_none()) },
+            "steps": row.run.as_ref().map_or(row.steps, |run| run.step),
+            "evidence": if row.run.is_some() { Evidence::ThisRunOnly } else { evidence },
+            "counterexample": row.run.as_ref().map(|run| as_json(args, system, run)),
+        })
+    };
+    page.field(
+        "sweep",
+        json!({
+            "starts": tried.as_ref().map(|t| t.starts),
+            "grid": extent.grid,
+            "steps": extent.steps,
+            "constants": constants.len(),
+            "claims": rows.iter().map(row).collect::<Vec<_>>(),
+        }),
+    );
+    page.end()?;
     let ended = |row: &Row<'_>| match &row.run {
         Some(_) => Outcome::Refuted,
         None if row.vacuous.is_some() || row.steps < extent.steps => Outcome::Inconclusive,

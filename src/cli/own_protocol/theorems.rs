@@ -4,13 +4,17 @@ use std::io::Write;
 
 use serde_json::{Value, json};
 
+use super::ProtocolArgs;
+use super::every_number::every_number;
+use super::page::Page;
 use super::refute::{Search, as_json, constants_of, replay_line};
-use super::show::{constants_text, head, headline, when};
-use super::{ProtocolArgs, prove};
+use super::show::{constants_text, counted, headline, when};
 use crate::cli::select::OutputFormat;
 use cordon_core::system::{Convergence, System};
 use cordon_core::{Evidence, Outcome, Result};
-use cordon_proof::claims::{self, Run, Unproved, converge};
+use cordon_proof::claims::certificate::certified;
+use cordon_proof::claims::threshold::{self, Property, decided};
+use cordon_proof::claims::{self, Run, Unproved};
 use cordon_run::protocol::ProtocolFile;
 
 /// What is known of a claim.
@@ -23,6 +27,8 @@ enum Known {
     Fails(Box<Run>),
     /// A certificate that it fails.
     CertifiedFailure,
+    /// A step moves the targets.
+    MovesTargets,
     /// Neither; no counterexample up to that step.
     Open(Option<usize>),
 }
@@ -31,7 +37,7 @@ impl Known {
     fn outcome(&self) -> Outcome {
         match self {
             Self::EveryNumber | Self::Certified => Outcome::Holds,
-            Self::Fails(_) | Self::CertifiedFailure => Outcome::Refuted,
+            Self::Fails(_) | Self::CertifiedFailure | Self::MovesTargets => Outcome::Refuted,
             Self::Open(_) => Outcome::Inconclusive,
         }
     }
@@ -49,15 +55,13 @@ pub fn theorems(
     format: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<Outcome> {
-    let text = format == OutputFormat::Text;
     let starts = system.written_starts();
-    if text {
-        writeln!(out, "{}", headline(system))?;
-        for start in &starts {
-            writeln!(out, "  if      {start}")?;
-        }
-        out.flush()?;
+    let mut page = Page::new(args, system, None, format, out);
+    page.line(headline(system))?;
+    for start in &starts {
+        page.line(format_args!("  if      {start}"))?;
     }
+    page.flush()?;
     let known = if check { Some(known(args, file, system)?) } else { None };
     let mut rows: Vec<(String, String)> = Vec::new();
     for (claim, indices) in system.written_claims() {
@@ -71,27 +75,22 @@ pub fn theorems(
         };
         rows.push((claim.to_owned(), String::new()));
     }
-    let of = |index: usize| known.as_ref().and_then(|known| known.get(index));
-    if text {
-        for (index, (claim, about)) in rows.iter().enumerate() {
-            writeln!(out, "  claim {}  {claim}{about}", index + 1)?;
-            if let Some(known) = of(index) {
-                known_text(args, system, known, out)?;
-            }
+    let mut fields = Vec::new();
+    for (index, (claim, about)) in rows.iter().enumerate() {
+        page.line(format_args!("  claim {}  {claim}{about}", index + 1))?;
+        let known = known.as_ref().and_then(|known| known.get(index));
+        for line in known.iter().flat_map(|known| known_lines(args, system, known)) {
+            page.line(format_args!("           {line}"))?;
         }
-    } else {
-        let row = |(index, (claim, about)): (usize, &(String, String))| -> Value {
-            json!({
-                "claim": claim,
-                "when": about.trim_start_matches(", "),
-                "known": of(index).map(|known| known_json(args, system, known)),
-            })
-        };
-        let mut page = head(system);
-        page.insert("starts", json!(starts));
-        page.insert("theorems", rows.iter().enumerate().map(row).collect::<Vec<_>>().into());
-        writeln!(out, "{:#}", json!(page))?;
+        fields.push(json!({
+            "claim": claim,
+            "when": about.trim_start_matches(", "),
+            "known": known.map(|known| known_json(args, system, known)),
+        }));
     }
+    page.field("starts", json!(starts));
+    page.field("theorems", json!(fields));
+    page.end()?;
     let outcomes = known.iter().flatten().map(Known::outcome);
     Ok(outcomes.fold(Outcome::Holds, Outcome::worst))
 }
@@ -102,14 +101,12 @@ fn known(args: &ProtocolArgs, file: &ProtocolFile, system: &System) -> Result<Ve
     let mut all = Vec::new();
     // What is proved of N >= 3 leaves smaller numbers.
     let for_every = match args.family(file)? {
-        Some(family) if !written.is_empty() && system.agents >= 3 => {
-            prove::every_number(args, family, None)?.claims
-        }
+        Some(family) if !written.is_empty() && system.agents >= 3 => every_number(family)?.claims,
         _ => Vec::new(),
     };
     let together = || -> Result<bool> {
         match claims::prove_within(system, &claims::PROOF) {
-            Ok(found) => Ok(prove::certified(&found)?.is_ok()),
+            Ok(found) => Ok(certified(&found)?.is_ok()),
             Err(_) => Ok(false),
         }
     };
@@ -130,7 +127,7 @@ fn known(args: &ProtocolArgs, file: &ProtocolFile, system: &System) -> Result<Ve
             let mut one = system.clone();
             one.claims = indices.iter().filter_map(|&j| system.claims.get(j).cloned()).collect();
             let (proved, failure) = match claims::prove_within(&one, &claims::PROOF) {
-                Ok(found) => (prove::certified(&found)?.is_ok(), None),
+                Ok(found) => (certified(&found)?.is_ok(), None),
                 Err(Unproved::Fails(run)) => (false, Some(*run)),
                 Err(Unproved::Open(_)) => (false, None),
             };
@@ -151,63 +148,41 @@ fn known(args: &ProtocolArgs, file: &ProtocolFile, system: &System) -> Result<Ve
         }
     }
     if system.converges.is_some() {
-        all.push(if converge::contraction(system)?.is_some() {
-            Known::Certified
-        } else if converge::grows(system)?.is_some() || converge::unfixed(system).is_some() {
-            Known::CertifiedFailure
-        } else {
-            Known::Open(None)
+        let found = decided(system, Property::Convergence, &mut 0)?;
+        all.push(match found.known {
+            threshold::Known::Holds => Known::Certified,
+            threshold::Known::Fails if found.certificate.is_none() => Known::MovesTargets,
+            threshold::Known::Fails => Known::CertifiedFailure,
+            threshold::Known::Open => Known::Open(None),
         });
     }
     Ok(all)
 }
 
-fn known_text(
-    args: &ProtocolArgs,
-    system: &System,
-    known: &Known,
-    out: &mut dyn Write,
-) -> Result<()> {
+fn known_lines(args: &ProtocolArgs, system: &System, known: &Known) -> Vec<String> {
+    let certified = Evidence::Certified;
     match known {
-        Known::EveryNumber => {
-            writeln!(
-                out,
-                "           {} for every number of agents from 3 on",
-                Evidence::Certified
-            )?;
-        }
-        Known::Certified => writeln!(
-            out,
-            "           {} for {} agent{}",
-            Evidence::Certified,
-            system.agents,
-            if system.agents == 1 { "" } else { "s" }
-        )?,
+        Known::EveryNumber => vec![format!("{certified} for every number of agents from 3 on")],
+        Known::Certified => vec![format!("{certified} for {}", counted(system.agents, "agent"))],
         Known::Fails(run) => {
-            writeln!(
-                out,
-                "           fails{} at step {} ({}, exact)",
-                constants_text(system, &run.values),
-                run.step,
-                Evidence::ThisRunOnly
-            )?;
-            writeln!(out, "           replay: {}", replay_line(args, system, run))?;
+            let at = constants_text(system, &run.values);
+            vec![
+                format!("fails{at} at step {} ({}, exact)", run.step, Evidence::ThisRunOnly),
+                format!("replay: {}", replay_line(args, system, run)),
+            ]
         }
         Known::CertifiedFailure => {
-            writeln!(
-                out,
-                "           fails ({}: `cordon prove` has the start)",
-                Evidence::Certified
-            )?;
+            vec![format!("fails ({certified}: `cordon prove` has the start)")]
         }
-        Known::Open(Some(steps)) => writeln!(
-            out,
-            "           open; no counterexample up to step {steps} ({})",
+        Known::MovesTargets => {
+            vec![format!("fails ({}: a step moves the targets)", Evidence::CompleteForAllStarts)]
+        }
+        Known::Open(Some(steps)) => vec![format!(
+            "open; no counterexample up to step {steps} ({})",
             Evidence::CompleteForAllStarts
-        )?,
-        Known::Open(None) => writeln!(out, "           open")?,
+        )],
+        Known::Open(None) => vec!["open".to_owned()],
     }
-    Ok(())
 }
 
 fn known_json(args: &ProtocolArgs, system: &System, known: &Known) -> Value {
@@ -224,6 +199,9 @@ fn known_json(args: &ProtocolArgs, system: &System, known: &Known) -> Value {
             "counterexample": as_json(args, system, run),
         }),
         Known::CertifiedFailure => json!({ "holds": false, "evidence": Evidence::Certified }),
+        Known::MovesTargets => {
+            json!({ "holds": false, "evidence": Evidence::CompleteForAllStarts })
+        }
         Known::Open(steps) => json!({ "holds": Value::Null, "steps": steps }),
     }
 }

@@ -1,28 +1,43 @@
 //! The critical value of a parameter of a protocol of one's own.
 
 use std::io::Write;
+use std::path::Path;
 
 use serde_json::json;
 
-use super::show::{head, headline};
+use super::ProtocolArgs;
+use super::page::Page;
 use crate::cli::select::OutputFormat;
 use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::system::{Parameter, ParameterKind, System};
 use cordon_core::{Error, Evidence, Outcome, Result};
-use cordon_proof::claims::threshold::{Bracket, Known, Property, critical};
+use cordon_proof::claims::threshold::{Bracket, Known, Property, WORK, critical};
+
+/// What is asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked<'a> {
+    /// The parameter; `None` for the only one with a range.
+    pub parameter: Option<&'a str>,
+    /// What is lost at its critical value.
+    pub property: Property,
+    /// Decimal places of the bracket.
+    pub digits: usize,
+    /// Folder for the certificates of both sides.
+    pub folder: Option<&'a Path>,
+}
 
 /// Brackets the value of a parameter at which a property is lost.
 ///
 /// # Errors
-/// There is no such parameter, or it has no range.
+/// There is no such parameter, or it has no range; a certificate cannot be written.
 pub fn threshold(
+    args: &ProtocolArgs,
     system: &System,
-    name: Option<&str>,
-    property: Property,
-    digits: usize,
+    asked: &Asked<'_>,
     format: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<Outcome> {
+    let &Asked { parameter: name, property, digits, folder } = asked;
     let (missing, expected) = match property {
         Property::Claims => (system.claims.is_empty(), "claims"),
         Property::Convergence => (system.converges.is_none(), "converges"),
@@ -61,47 +76,46 @@ pub fn threshold(
             if names.is_empty() { "there is none".to_owned() } else { names.join(", ") }
         )));
     };
-    if format == OutputFormat::Text {
-        writeln!(out, "{}", headline(system))?;
-        out.flush()?;
-    }
-    let (found, ends) = critical(system, index, property, digits)?;
-    match format {
-        OutputFormat::Text => match &found {
-            Some(bracket) => bracketed(wanted, property, bracket, digits, out)?,
-            None => {
-                let word = |k| match k {
-                    Known::Holds => "holds",
-                    Known::Fails => "fails",
-                    Known::Open => "is open",
-                };
-                writeln!(
-                    out,
-                    "  no bracket: it {} at the lower end of {wanted} and {} at the upper end",
-                    word(ends[0]),
-                    word(ends[1])
-                )?;
+    let mut page = Page::new(args, system, folder, format, out);
+    page.headline(system)?;
+    let (found, ends) = critical(system, index, property, digits, WORK)?;
+    let mut files = Vec::new();
+    match &found {
+        Some(bracket) => {
+            bracketed(wanted, property, bracket, digits, &mut page)?;
+            for (side, certificate) in ["-holds", "-fails"].iter().zip(&bracket.certificates) {
+                if let Some(certificate) = certificate {
+                    files.extend(page.certificate(side, certificate)?);
+                }
             }
-        },
-        OutputFormat::Json => {
-            let mut page = head(system);
-            page.insert(
-                "threshold",
-                json!({
-                    "parameter": wanted,
-                    "property": match property {
-                        Property::Claims => "claims",
-                        Property::Convergence => "convergence",
-                    },
-                    "holds": found.as_ref().map(|b| fraction(&b.holds)),
-                    "fails": found.as_ref().map(|b| fraction(&b.fails)),
-                    "used_up": found.as_ref().is_some_and(|b| b.used_up),
-                    "open": found.as_ref().and_then(|b| b.open.as_ref()).map(fraction),
-                }),
-            );
-            writeln!(out, "{:#}", json!(page))?;
+        }
+        None => {
+            let [low, high] = ends.map(|known| match known {
+                Known::Holds => "holds",
+                Known::Fails => "fails",
+                Known::Open => "is open",
+            });
+            page.line(format_args!(
+                "  no bracket: it {low} at the lower end of {wanted} and {high} at the upper end"
+            ))?;
         }
     }
+    page.field(
+        "threshold",
+        json!({
+            "parameter": wanted,
+            "property": match property {
+                Property::Claims => "claims",
+                Property::Convergence => "convergence",
+            },
+            "holds": found.as_ref().map(|b| fraction(&b.holds)),
+            "fails": found.as_ref().map(|b| fraction(&b.fails)),
+            "used_up": found.as_ref().is_some_and(|b| b.used_up),
+            "open": found.as_ref().and_then(|b| b.open.as_ref()).map(fraction),
+            "files": files,
+        }),
+    );
+    page.end()?;
     Ok(match &found {
         Some(Bracket { open: None, used_up: false, .. }) => Outcome::Holds,
         _ => Outcome::Inconclusive,
@@ -113,38 +127,25 @@ fn bracketed(
     property: Property,
     found: &Bracket,
     digits: usize,
-    out: &mut dyn Write,
+    page: &mut Page<'_>,
 ) -> Result<()> {
-    let places = digits + 2;
-    let (what, by) = match property {
-        Property::Claims => ("the claims", "an exact run"),
-        Property::Convergence => ("convergence", "a form that never falls"),
+    let (what, by) = match (property, &found.certificates[1]) {
+        (Property::Claims, _) => ("the claims", "an exact run"),
+        (Property::Convergence, Some(_)) => ("convergence", "a form that never falls"),
+        (Property::Convergence, None) => ("convergence", "a step that moves the targets"),
     };
-    writeln!(
-        out,
-        "  holds  at {name} = {} ({}): {what}, {}",
-        fraction(&found.holds),
-        decimal_string(&found.holds, places),
-        Evidence::Certified
-    )?;
-    writeln!(
-        out,
-        "  fails  at {name} = {} ({}): {by}",
-        fraction(&found.fails),
-        decimal_string(&found.fails, places)
-    )?;
+    let at = |x| format!("at {name} = {} ({})", fraction(x), decimal_string(x, digits + 2));
+    page.line(format_args!("  holds  {}: {what}, {}", at(&found.holds), Evidence::Certified))?;
+    page.line(format_args!("  fails  {}: {by}", at(&found.fails)))?;
     if let Some(open) = &found.open {
-        writeln!(
-            out,
-            "  open   at {name} = {} ({}): neither was found there, so that the bracket stays as wide",
-            fraction(open),
-            decimal_string(open, places)
-        )?;
+        page.line(format_args!(
+            "  open   {}: neither was found there, so that the bracket stays as wide",
+            at(open)
+        ))?;
     }
     if found.used_up {
-        writeln!(
-            out,
-            "  (near the critical value searches are long: their work is used up, so that the bracket stays as wide)"
+        page.line(
+            "  (near the critical value searches are long: their work is used up, so that the bracket stays as wide)",
         )?;
     }
     Ok(())

@@ -174,18 +174,19 @@ fn own(args: &Args, system: &System, out: &mut dyn Write) -> Result<Outcome> {
             )));
         }
     };
-    if args.out.is_some() {
-        return Err(Error::input(
-            "out: expected none with --protocol: `cordon prove --set` writes certificates",
-        ));
-    }
     let digits = args.digits.unwrap_or(4);
     if digits > MOST_OWN_DIGITS {
         return Err(Error::input(format!(
             "digits: `{digits}`: expected at most {MOST_OWN_DIGITS} with --protocol"
         )));
     }
-    own_protocol::threshold(system, args.parameter.as_deref(), property, digits, args.format, out)
+    let asked = own_protocol::Asked {
+        parameter: args.parameter.as_deref(),
+        property,
+        digits,
+        folder: args.out.as_deref(),
+    };
+    own_protocol::threshold(&args.own, system, &asked, args.format, out)
 }
 
 fn keep(args: &Args, cone: Cone, out: &mut dyn Write) -> Result<Outcome> {

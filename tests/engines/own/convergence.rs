@@ -5,14 +5,14 @@ use crate::common::q;
 use cordon_core::Rational;
 use cordon_proof::claims::converge;
 use cordon_proof::claims::settle::settles;
-use cordon_proof::claims::threshold::{Known, Property, critical, known};
+use cordon_proof::claims::threshold::{Known, Property, WORK, critical, decided};
 use num_traits::{Signed, Zero};
 
 #[test]
 fn critical_values_are_bracketed_from_both_sides() {
     let mut ordering = own("coverage", Some(5));
     ordering.parameters[0].high = q("1");
-    let (found, _) = critical(&ordering, 0, Property::Claims, 4).unwrap();
+    let (found, _) = critical(&ordering, 0, Property::Claims, 4, WORK).unwrap();
     let found = found.unwrap();
     assert!(found.holds <= q("1/2") && q("1/2") < found.fails && found.open.is_none());
     assert!(&found.fails - &found.holds <= q("1/10000"));
@@ -25,7 +25,7 @@ fn critical_values_are_bracketed_from_both_sides() {
     };
     let targets = (0..4).map(|i| Rational::new(i.into(), 3.into())).collect();
     limit.converges = Some(cordon_core::system::Convergence::To(targets));
-    let (found, _) = critical(&limit, 0, Property::Convergence, 2).unwrap();
+    let (found, _) = critical(&limit, 0, Property::Convergence, 2, WORK).unwrap();
     let found = found.unwrap();
     assert!(found.holds < q("2/3") && q("2/3") <= found.fails, "{found:?}");
     assert!(&found.fails - &found.holds <= q("1/100"), "{found:?}");
@@ -180,5 +180,5 @@ fn many_differences_are_judged() {
 #[test]
 fn a_search_without_work_is_open() {
     let system = own("coverage", Some(4));
-    assert_eq!(known(&system, Property::Claims, &mut 0).unwrap(), Known::Open);
+    assert_eq!(decided(&system, Property::Claims, &mut 0).unwrap().known, Known::Open);
 }

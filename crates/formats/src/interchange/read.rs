@@ -210,12 +210,15 @@ impl System {
                 )));
             }
             let number = |variable: &str| self.number(coordination, model, variable);
+            // Where the drone is at the start: what its plant is told, or else its coordination.
+            let mut places = vec![("x0", "start".to_owned())];
             let of_others = match model {
                 Model::Protocol(_, carried) => {
                     let law = OwnLaw::open(&carried.own, &[], 0);
                     for v in 0..law.variables.len() {
                         start.push(number(&law.named("start", v))?);
                     }
+                    places.extend(law.across.map(|v| ("y0", law.named("start", v))));
                     let names = carried.own.constants().map(|(p, _)| p.name.clone());
                     let value = |name: String| Ok((number(&format!("parameters.{name}"))?, name));
                     names.map(value).collect::<Result<Vec<_>>>()?
@@ -242,10 +245,12 @@ impl System {
                 }
                 _ => common = Some(shared),
             }
-            actual.push(match &drone.models[2] {
-                Some(model) => self.number(plant, model, "x0")?,
-                None => number("start")?,
-            });
+            for (of_plant, own) in places {
+                actual.push(match &drone.models[2] {
+                    Some(model) => self.number(plant, model, of_plant)?,
+                    None => number(&own)?,
+                });
+            }
         }
         let Some((parameters, tau, period, phase, skip, model)) = common else {
             return Err(Error::internal("a swarm was read that has no drones"));

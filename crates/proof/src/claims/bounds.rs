@@ -7,6 +7,7 @@
 
 use num_traits::{One, Signed, Zero};
 
+use super::search::is_short;
 use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Sign};
@@ -42,7 +43,7 @@ pub fn bounded(system: &System, work: &Work) -> Option<System> {
                         reached = reached.max(most.abs());
                     }
                 }
-                form = map.pulled_back(&form)?;
+                form = map.pulled_back(&form).filter(is_short)?;
             }
         }
         let bound = (reached * Rational::from_integer(2.into()) + Rational::one()).ceil();

@@ -5,16 +5,18 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
+use super::Proved;
 use super::automaton::Automaton;
 use super::refute::Run;
 use super::search::Proof;
+use crate::certificate::judged;
 use crate::certificate::linear::{
     Counterexample, Edge, Invariance, LinearSystem, Move, Multipliers, NodeClaim, form,
 };
-use cordon_core::Rational;
 use cordon_core::exact::fraction;
 use cordon_core::linear::feasible::{Constraint, Sign};
 use cordon_core::system::{ParameterKind, System, inequalities};
+use cordon_core::{Error, Rational, Result};
 
 /// The name of the node that holds what is assumed.
 const START: &str = "start";
@@ -107,6 +109,28 @@ pub fn certificate(system: &System, proof: &Proof) -> Option<Value> {
     }
     let start = START.to_owned();
     Some(Invariance { system: linear_system(system), nodes, start, edges, claims }.certificate())
+}
+
+/// The certificate of a proof, accepted by the checker; or why that cannot judge it.
+///
+/// # Errors
+/// The checker rejects it.
+pub fn certified(found: &Proved) -> Result<std::result::Result<Value, String>> {
+    let certificate = certificate(&found.system, &found.proof)
+        .ok_or_else(|| Error::internal("a proof without a certificate"))?;
+    within_limits(certificate)
+}
+
+/// The certificate, accepted by the checker; or why that cannot judge it: it is too large.
+///
+/// # Errors
+/// The checker rejects it.
+pub fn within_limits(certificate: Value) -> Result<std::result::Result<Value, String>> {
+    match judged(&certificate) {
+        Ok(_) => Ok(Ok(certificate)),
+        Err(Error::Input(reason)) => Ok(Err(reason)),
+        Err(e) => Err(e),
+    }
 }
 
 /// The certificate of a counterexample.

@@ -15,7 +15,8 @@ pub mod threshold;
 mod words;
 
 pub use refute::{
-    MOST_COMBINATIONS, Run, Sought, WORK, constants, follow, refute, refute_with, sought,
+    MOST_COMBINATIONS, Run, Sought, WORK, constants, constants_up_to, follow, refute, refute_with,
+    sought,
 };
 
 use cordon_core::Rational;

@@ -6,7 +6,7 @@ use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Sign};
 use cordon_core::linear::simplest::fractions_within;
-use cordon_core::system::{ParameterKind, System};
+use cordon_core::system::{Parameter, ParameterKind, System};
 
 /// A run from an assumed start in which a claim fails.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,10 +34,15 @@ pub const WORK: u64 = 300_000_000;
 /// their least. `None` where there are more than [`MOST_COMBINATIONS`].
 pub fn constants(system: &System, denominators: u32) -> Option<Vec<Vec<Rational>>> {
     let mut all: Vec<Vec<Rational>> = vec![Vec::new()];
+    let most = Rational::from_integer(MOST_COMBINATIONS.into());
     for p in &system.parameters {
         let values = match (p.kind, p.fixed()) {
             (_, Some(value)) => vec![value.clone()],
             (ParameterKind::Constant, None) => {
+                // Of a wide range the whole numbers alone are too many to list.
+                if denominators > 0 && &p.high - &p.low > most {
+                    return None;
+                }
                 let mut values = fractions_within(&p.low, &p.high, denominators);
                 for end in p.ends() {
                     if !values.contains(&end) {
@@ -57,6 +62,17 @@ pub fn constants(system: &System, denominators: u32) -> Option<Vec<Vec<Rational>
             .collect();
     }
     Some(all)
+}
+
+/// As [`constants`], with the greatest denominators up to `denominators` of which they are not too many; where
+/// the ends alone are, all constants at their least and all at their greatest.
+pub fn constants_up_to(system: &System, denominators: u32) -> Vec<Vec<Rational>> {
+    let highest = |p: &Parameter| match p.kind {
+        ParameterKind::Constant => p.high.clone(),
+        ParameterKind::Varying | ParameterKind::Choice => p.low.clone(),
+    };
+    let ends = || vec![system.values(|p| p.low.clone()), system.values(highest)];
+    (0..=denominators).rev().find_map(|q| constants(system, q)).unwrap_or_else(ends)
 }
 
 /// The first counterexample up to step `steps`, among those with these values of the constants; `start`

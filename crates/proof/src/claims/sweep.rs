@@ -151,10 +151,27 @@ fn starts(system: &System, parts: u32) -> Result<Vec<Vec<Rational>>> {
         };
         ranges.push([-low, high]);
     }
+    // Where each assumption bounds one variable the inner points are starts: how many, is known at once.
+    let bounds_one = |c: &Constraint| {
+        c.form.parts().is_some_and(|(_, a)| a.iter().filter(|a| !a.is_zero()).count() <= 1)
+    };
+    let inner = ranges
+        .iter()
+        .filter(|[low, high]| low != high)
+        .fold(1_usize, |count, _| count.saturating_mul(parts.saturating_sub(1) as usize));
+    if inner > MOST_STARTS && constraints.iter().all(bounds_one) {
+        return Err(too_many());
+    }
     let (chosen, found, left) = (Vec::new(), Vec::new(), MOST_COMPARISONS);
     let mut search = Points { parts, ranges, constraints, chosen, left, found };
     search.go()?;
     Ok(search.found.iter().filter_map(|start| system.at_rest(start)).collect())
+}
+
+fn too_many() -> Error {
+    Error::input(format!(
+        "grid: more than {MOST_STARTS} starts: expected a coarser grid or fewer agents"
+    ))
 }
 
 /// The points of the grid, one variable after the other.
@@ -181,9 +198,7 @@ impl Points {
         }
         let Some([low, high]) = self.ranges.get(self.chosen.len()).cloned() else {
             if self.found.len() >= MOST_STARTS {
-                return Err(Error::input(format!(
-                    "grid: more than {MOST_STARTS} starts: expected a coarser grid or fewer agents"
-                )));
+                return Err(too_many());
             }
             self.found.push(self.chosen.clone());
             return Ok(());

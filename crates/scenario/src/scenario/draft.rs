@@ -7,7 +7,7 @@ use cordon_spec::Phase;
 
 use super::{Flight, MAX_DRONES, MIN_DRONES, Own, Places, Protocol, Scenario, Topology};
 use crate::protocol::{self, Agents};
-use cordon_core::exact::Rational;
+use cordon_core::exact::{Rational, shortened};
 use cordon_core::system::Variable;
 use cordon_core::{Error, Result};
 
@@ -152,20 +152,21 @@ impl Draft {
             let title = own.system.title.clone();
             return self.scenario(Protocol::Own(Box::new(own)), start, weight, title);
         }
+        if !["coverage", "consensus", "formation"].contains(&protocol) {
+            return Err(Error::input(format!(
+                "protocol: `{}` is unknown: expected `coverage`, `consensus`, `formation` or a \
+                 protocol file, which ends in `.toml`",
+                shortened(protocol)
+            )));
+        }
         let start = self.positions()?;
         let count = start.len();
         let protocol = match protocol {
             "coverage" => self.coverage(&start)?,
             "consensus" => Protocol::Consensus { graph: self.topology(count)? },
-            "formation" => {
+            _ => {
                 let graph = self.topology(count)?;
                 Protocol::Formation { graph, displacement: self.displacements(count)? }
-            }
-            other => {
-                return Err(Error::input(format!(
-                    "protocol: `{other}` is unknown: expected `coverage`, `consensus`, `formation` or a \
-                     protocol file, which ends in `.toml`"
-                )));
             }
         };
         self.refuse_fields_foreign_to(&protocol)?;

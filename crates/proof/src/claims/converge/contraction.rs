@@ -13,8 +13,8 @@ use serde_json::Value;
 use super::{Quotient, full, short, texts};
 use crate::certificate;
 use crate::claims::doubles::{
-    Matrix, dot, identity, image, images_of_unit, largest, moved, negative_direction, plus,
-    spectral_radius,
+    Matrix, dot, fine_spectral_radius, identity, image, images_of_unit, largest, moved,
+    negative_direction, plus, spectral_radius,
 };
 use crate::claims::pinned::with_pinned;
 use crate::claims::readouts::{self, Readouts};
@@ -88,7 +88,11 @@ const FEW: usize = 24;
 fn in_every_step(system: &System) -> Result<Option<Contraction>> {
     let Ok(quotient) = Quotient::of(system) else { return Ok(None) };
     let maps = quotient.doubles();
-    let radius = maps.iter().map(|(_, a)| spectral_radius(a)).fold(0.0, f64::max);
+    let greatest = |of: fn(&Matrix) -> f64| maps.iter().map(|(_, a)| of(a)).fold(0.0, f64::max);
+    let radius = match greatest(spectral_radius) {
+        rough if rough < 1.0 => rough,
+        _ => greatest(fine_spectral_radius),
+    };
     if radius >= 1.0 {
         return Ok(None);
     }

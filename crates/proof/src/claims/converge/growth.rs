@@ -9,16 +9,17 @@ use super::{Quotient, full, texts};
 use crate::certificate;
 use crate::claims::bounds::extreme;
 use crate::claims::doubles::{
-    Matrix, identity, inverse, largest, moved, negative_direction, plus, product,
+    Matrix, fine_spectral_radius, identity, inverse, largest, moved, negative_direction, plus,
+    product,
 };
 use crate::claims::pinned::with_pinned;
 use crate::claims::readouts::{self, Readouts};
 use crate::claims::search::Choice;
 use crate::claims::words::{as_one_step, that_may_not_vanish};
-use crate::claims::{PROOF, constants};
+use crate::claims::{PROOF, constants_up_to};
 use cordon_core::exact::{fraction, to_f64};
 use cordon_core::linear::affine::Affine;
-use cordon_core::linear::feasible::{Constraint, point_within};
+use cordon_core::linear::feasible::{Constraint, Sign, point_within};
 use cordon_core::linear::matrix;
 use cordon_core::linear::simplest::{fractions_within, strictly_between};
 use cordon_core::simplex::Work;
@@ -34,7 +35,8 @@ const MOST_ENTRIES: usize = 20_000_000;
 const MOST_EXACT: usize = 100;
 
 /// A start from which some system in the ranges does not converge, with its constants, what is chosen
-/// over and over, and the certificate; constants are tried at the ends of their ranges.
+/// over and over, and the certificate; constants are tried at the ends of their ranges, and at whole numbers between,
+/// where those are few.
 ///
 /// # Errors
 /// The checker rejects what was found.
@@ -42,7 +44,9 @@ pub fn grows(system: &System) -> Result<Option<Growth>> {
     let system = &with_pinned(system)?;
     let count = Readouts::of(system).map_or(1, |readouts| readouts.all.len());
     let most = (MOST_ENTRIES / count.pow(3).max(1)).clamp(1, MOST_TRIED);
-    for values in constants(system, 1).unwrap_or_default() {
+    let whole = constants_up_to(system, 1);
+    let tried = if whole.len() > MOST_TRIED { constants_up_to(system, 0) } else { whole };
+    for values in tried {
         for word in that_may_not_vanish(system, &values)?.into_iter().take(most) {
             if let Some((start, certificate)) = growth(&as_one_step(system, &word)?)? {
                 return Ok(Some(Growth { values, word, start, certificate }));
@@ -85,7 +89,8 @@ fn growth(system: &System) -> Result<Option<(Vec<Rational>, Value)>> {
         // A second one where the first was too coarse after all.
         rounded.filter(|form| may_grow(map, form)).take(2).map(|form| (form, direction.clone()))
     });
-    for (form, direction) in growing.chain(kept(exact, map)) {
+    let all_kept = || kept_forms(exact, map).into_iter().chain(kept(exact, map));
+    for (form, direction) in growing.chain(std::iter::once_with(all_kept).flatten()) {
         let Some(start) = positive_start(system, &quotient.readouts, &form, &direction) else {
             continue;
         };
@@ -180,6 +185,44 @@ fn kept(
     })
 }
 
+/// Most readouts of a system of which all forms that the step keeps are found: unknowns are pairs of readouts.
+const MOST_PAIRED: usize = 12;
+
+/// A basis of the forms P with A'PA = P, and their negatives, each with a direction in which it is positive: where
+/// something turns, by any angle.
+fn kept_forms(map: &[Vec<Rational>], doubles: &Matrix) -> Vec<(Vec<Vec<Rational>>, Vec<Rational>)> {
+    let n = map.len();
+    if n > MOST_PAIRED || (fine_spectral_radius(doubles) - 1.0).abs() > 1e-6 {
+        return Vec::new();
+    }
+    let pairs: Vec<(usize, usize)> = (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))).collect();
+    let one = |is: bool| if is { Rational::one() } else { Rational::zero() };
+    // What becomes of the form that is 1 at (i, j) and (j, i), less itself, at (k, l).
+    let image = |&(i, j): &(usize, usize)| -> Vec<Rational> {
+        let entry = |&(k, l): &(usize, usize)| {
+            let mixed = if i == j { Rational::zero() } else { &map[j][k] * &map[i][l] };
+            &map[i][k] * &map[j][l] + mixed - one((i, j) == (k, l))
+        };
+        pairs.iter().map(entry).collect()
+    };
+    let images: Vec<Vec<Rational>> = pairs.iter().map(image).collect();
+    let signed = left_kernel(&images).into_iter().flat_map(|w| {
+        let negated = w.iter().map(|x| -x).collect();
+        [w, negated]
+    });
+    let with_direction = |w: Vec<Rational>| {
+        let mut form = vec![vec![Rational::zero(); n]; n];
+        for ((i, j), x) in pairs.iter().zip(w) {
+            form[*j][*i] = x.clone();
+            form[*i][*j] = x;
+        }
+        let in_doubles: Matrix = form.iter().map(|row| row.iter().map(to_f64).collect()).collect();
+        let direction = positive_direction(&in_doubles)?;
+        Some((form, direction.iter().map(short).collect::<Option<Vec<_>>>()?))
+    };
+    signed.filter_map(with_direction).collect()
+}
+
 /// Largest denominator of the cosine of a turn.
 const MOST_TURNS: u32 = 5;
 
@@ -234,31 +277,43 @@ fn positive_start(
     if is_positive(&along) {
         return Some(along);
     }
-    // The slope of the form there, as a form of the state.
-    let slope = form.iter().map(|row| matrix::dot(row, direction));
-    let far = readouts
-        .forms()
-        .into_iter()
-        .zip(slope)
-        .fold(Affine::constant(Rational::zero()), |sum, (readout, factor)| {
-            sum + &(readout * &Affine::constant(factor))
-        });
     let work = Work::limited(PROOF.work);
     let inside = point_within(system.state.len(), &starts, &work)?;
-    let near = Rational::new(1.into(), 64.into());
-    for side in [far.clone(), Affine::constant(Rational::zero()) - &far] {
+    // Where the starts are not bounded, near one of them.
+    let near = |(j, x): (usize, &Rational)| {
+        let above = Affine::variable(j) - &Affine::constant(x - Rational::one());
+        let below = Affine::constant(x + Rational::one()) - &Affine::variable(j);
+        [above, below].map(|form| Constraint { form, sign: Sign::NonNegative })
+    };
+    let boxed: Vec<Constraint> =
+        starts.iter().cloned().chain(inside.iter().enumerate().flat_map(near)).collect();
+    // Starts may have no part along the direction: then along one readout.
+    let forms = readouts.forms();
+    let slope = form.iter().map(|row| matrix::dot(row, direction));
+    let none = || Affine::constant(Rational::zero());
+    let far = forms.iter().zip(slope).fold(none(), |sum, (readout, factor)| {
+        sum + &(readout.clone() * &Affine::constant(factor))
+    });
+    let all = [far].into_iter().chain(forms.into_iter().take(MOST_DIRECTIONS));
+    for side in all.flat_map(|far| [far.clone(), none() - &far]) {
+        let end = extreme(&side, &starts, system.state.len(), &work)
+            .or_else(|| extreme(&side, &boxed, system.state.len(), &work));
+        let Some(end) = end else { continue };
         // Strict bounds are not met at the end itself.
-        let Some(end) = extreme(&side, &starts, system.state.len(), &work) else { continue };
-        let between = |near: &Rational| -> Vec<Rational> {
-            inside.iter().zip(&end).map(|(a, b)| b + (a - b) * near).collect()
+        let between = |near: Rational| -> Vec<Rational> {
+            inside.iter().zip(&end).map(|(a, b)| b + (a - b) * &near).collect()
         };
-        let found = [Rational::zero(), near.clone()].iter().map(between).find(|s| is_positive(s));
+        let nearer = [Rational::zero(), Rational::new(1.into(), 64.into())];
+        let found = nearer.into_iter().map(between).find(|s| is_positive(s));
         if found.is_some() {
             return found;
         }
     }
     None
 }
+
+/// Most readouts along each of which a start is tried.
+const MOST_DIRECTIONS: usize = 8;
 
 /// A direction in which the form is positive: its greatest, by the power method on a shifted form.
 fn positive_direction(form: &Matrix) -> Option<Vec<f64>> {

@@ -6,8 +6,8 @@
 //! Y - UYU' = 1 the form c QSQ' - QYQ' grows in every direction, for c large enough.
 
 use crate::claims::doubles::{
-    Matrix, dot, identity, image, images_of_unit, inverse, largest, moved, negative_direction,
-    plus, product, spectral_radius, transposed,
+    Matrix, dot, fine_spectral_radius, identity, image, images_of_unit, inverse, largest, moved,
+    negative_direction, plus, product, transposed,
 };
 
 /// Most rounds of the iteration.
@@ -26,7 +26,7 @@ const NEGLIGIBLE: f64 = 1e-9;
 /// A form P with a'Pa - P > 0, its largest entry being 1, if something grows and nothing else stays as it is.
 pub fn growing_form(a: &Matrix) -> Option<Matrix> {
     let backwards = transposed(a);
-    let (radius, n) = (spectral_radius(a), a.len());
+    let (radius, n) = (fine_spectral_radius(a), a.len());
     if radius <= 1.0 {
         return None;
     }
@@ -64,8 +64,8 @@ fn divided(a: &Matrix, backwards: &Matrix, basis: &Matrix) -> Option<Matrix> {
     };
     let divides = |r: &usize| {
         rest(*r) <= NEGLIGIBLE * scale
-            && spectral_radius(&block(*r, n)) < 1.0
-            && inverse(&block(0, *r)).is_some_and(|back| spectral_radius(&back) < 1.0)
+            && fine_spectral_radius(&block(*r, n)) < 1.0
+            && inverse(&block(0, *r)).is_some_and(|back| fine_spectral_radius(&back) < 1.0)
     };
     // What grows is first: the least place at which the rest shrinks.
     let r = (1..=n).filter(|r| rest(*r) <= NEGLIGIBLE * scale).find(divides)?;

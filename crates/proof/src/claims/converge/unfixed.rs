@@ -1,6 +1,6 @@
 //! Targets at which no run can end: a step moves them.
 
-use crate::claims::constants;
+use crate::claims::constants_up_to;
 use crate::claims::search::Choice;
 use cordon_core::Rational;
 use cordon_core::system::{Convergence, ParameterKind, Schedule, System};
@@ -23,7 +23,7 @@ pub fn unfixed(system: &System) -> Option<Unfixed> {
         Schedule::Any => (0..system.modes.len()).collect(),
         Schedule::Cycle(list) => list.clone(),
     };
-    for constants in constants(system, 1)? {
+    for constants in constants_up_to(system, 0) {
         let of = system.parameters.iter().zip(&constants);
         let values: Vec<Rational> = of
             .map(|(p, value)| match (p.kind, p.fixed()) {

@@ -142,15 +142,17 @@ pub fn any_size(family: &Family) -> Result<AnySize> {
         let same = |l: &&Clause| l.literal == claim.literal && l.reach == claim.reach;
         search.proved.iter().find(same)
     };
-    let none = || {
-        let why = if search.work.left() == 0 { End::Work.to_string() } else { NO_INDUCTION.into() };
-        Err(why)
+    let why = |claim: &[Clause]| match search.work.left() {
+        0 => End::Work.to_string(),
+        _ if claim.iter().any(|c| search.of_start(c).is_none()) => NOT_OF_THE_START.to_owned(),
+        _ => NO_INDUCTION.to_owned(),
     };
     let mut open = Vec::new();
     for (place, claim) in claims.into_iter().enumerate() {
         let with_lemma = |c: Clause| lemma(&c).map(|lemma| (c, lemma));
         let found = claim.and_then(|own| {
-            own.into_iter().map(with_lemma).collect::<Option<Vec<_>>>().map_or_else(none, Ok)
+            let all = own.iter().cloned().map(with_lemma).collect::<Option<Vec<_>>>();
+            all.ok_or_else(|| why(&own))
         });
         match found {
             Err(why) => open.push((place, why)),
@@ -174,6 +176,7 @@ pub fn any_size(family: &Family) -> Result<AnySize> {
 }
 
 /// Why a claim is open that was tried to the end.
+const NOT_OF_THE_START: &str = "it does not follow of the start, agent by agent, from what `start` says: expected it there too";
 const NO_INDUCTION: &str = "no induction over the steps was found";
 
 /// The power of the constants together.

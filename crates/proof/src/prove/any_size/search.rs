@@ -142,16 +142,24 @@ impl Search<'_> {
 
     /// Proofs of the literal at step 0 and one step later.
     fn parts(&self, candidate: &Clause, hypotheses: &[Hypothesis]) -> Option<[Value; 2]> {
-        let base = |case: Case| self.base(candidate, case);
         let step = |case: Case| self.step(candidate, case, hypotheses);
-        let by_class = |leaf: &dyn Fn(Case) -> Option<Value>| match candidate.reach {
+        Some([self.of_start(candidate)?, Self::by_class(candidate, &step)?])
+    }
+
+    /// A proof of the literal at step 0.
+    pub fn of_start(&self, candidate: &Clause) -> Option<Value> {
+        let base = |case: Case| self.base(candidate, case);
+        base(Case::Any).or_else(|| Self::by_class(candidate, &base))
+    }
+
+    fn by_class(candidate: &Clause, leaf: &dyn Fn(Case) -> Option<Value>) -> Option<Value> {
+        match candidate.reach {
             None => leaf(Case::Any),
             Some(_) => {
                 let beyond = cases("u", "i", leaf(Case::Last)?, leaf(Case::Inner)?);
                 Some(cases("i", "i", leaf(Case::First)?, beyond))
             }
-        };
-        Some([base(Case::Any).or_else(|| by_class(&base))?, by_class(&step)?])
+        }
     }
 
     /// Where agent i is in a case.

@@ -2,7 +2,7 @@
 # Mutation score of the checker: every mutant that `mutants/` makes has to be noticed by the checker's tests, or to stand in
 # tests/equivalent-mutants.tsv with the reason for which nobody can. Ends with 1 where one is left over.
 #
-#   proofs/checker/mutants.sh [FOLDER]     works in FOLDER [default: target/checker-mutants]
+#   proofs/checker/mutants.sh [FOLDER [FILE.rs...]]     works in FOLDER [default: target/checker-mutants]; with files, judges theirs only
 #
 # One build has all mutants; `MUTANT=7` switches the seventh on. The first test that fails ends a run, the quick ones come
 # first. FOLDER keeps what was noticed as long as the sources stay: a run that was stopped goes on, and after a new test only those
@@ -10,6 +10,9 @@
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 folder=$(realpath -m "${1:-target/checker-mutants}")
+shift
+files=${*:-.*}
+files="^(${files// /|}): "
 list=proofs/checker/tests/equivalent-mutants.tsv
 crate=$folder/checker
 # What the tests read, where they look for it.
@@ -59,16 +62,21 @@ survives() {
 }
 survives 0 || { cat "$folder/last.txt"; exit 2; }
 : > "$folder/left.txt"
-total=0
+number=0 total=0
 while IFS= read -r mutant; do
+    number=$((number + 1))
+    [[ $mutant =~ $files ]] || continue
     total=$((total + 1))
-    grep -qx "$total" "$folder/noticed" && continue
-    if survives "$total"; then echo "$mutant" >> "$folder/left.txt"; else echo "$total" >> "$folder/noticed"; fi
+    grep -qx "$number" "$folder/noticed" && continue
+    if survives "$number"; then echo "$mutant" >> "$folder/left.txt"; else echo "$number" >> "$folder/noticed"; fi
 done < "$folder/mutants.txt"
 cd - > /dev/null || exit 2
-unexplained=$(comm -23 <(sort "$folder/left.txt") <(tail -n +2 "$list" | cut -f1 | sort))
+listed=$(tail -n +2 "$list" | cut -f1 | grep -E "$files" | sort)
+unexplained=$(comm -23 <(sort "$folder/left.txt") - <<< "$listed")
+stale=$(comm -13 <(sort "$folder/left.txt") - <<< "$listed")
 left=$(wc -l < "$folder/left.txt")
 missed=$(printf '%s' "$unexplained" | grep -c '')
-[ "$missed" -gt 0 ] && printf 'not noticed, and not listed as equivalent:\n%s\n' "$unexplained"
+[ -n "$unexplained" ] && printf 'not noticed, and not listed as equivalent:\n%s\n' "$unexplained"
+[ -n "$stale" ] && printf 'listed as equivalent, and noticed or gone:\n%s\n' "$stale"
 echo "$total mutants of the checker: $((total - left)) noticed, $((left - missed)) equivalent (listed), $missed unexplained"
-[ "$missed" -eq 0 ]
+[ -z "$unexplained$stale" ]

@@ -25,9 +25,9 @@ const MAX_VARIABLES: usize = 200;
 /// c + b'(x - centre) over an ellipsoid is above 0 at its centre, and how far its square exceeds what
 /// the ellipsoid takes from it.
 fn margins((constant, row): &(Number, Vector), centre: &[Number], matrix: &Matrix) -> [Number; 2] {
-    let at = constant.clone() + &dot(row, centre);
+    let at = constant + &dot(row, centre);
     let image: Vector = matrix.iter().map(|r| dot(r, row)).collect();
-    let square = at.clone() * &at;
+    let square = &at * &at;
     [at, square - &dot(row, &image)]
 }
 
@@ -39,11 +39,11 @@ fn reached(x: &Number, literal: &Literal) -> bool {
 /// Whether a claim holds all the way between two ellipsoids where it holds: f(s) = f0 + (f1 - f0 - a) s + a s^2, a being the square
 /// of the change at the centre, may dip in between.
 fn between(literal: &Literal, from: &[Number; 2], to: &[Number; 2]) -> bool {
-    let change = to[0].clone() - &from[0];
-    let a = change.clone() * &change;
-    let b = to[1].clone() - &from[1] - &a;
+    let change = &to[0] - &from[0];
+    let a = &change * &change;
+    let b = &to[1] - &from[1] - &a;
     let inside = b < Number::whole(0) && b > Number::whole(-2) * &a;
-    !inside || reached(&(Number::whole(4) * &a * &from[1] - &(b.clone() * &b)), literal)
+    !inside || reached(&(Number::whole(4) * &a * &from[1] - &(&b * &b)), literal)
 }
 
 /// `ellipsoid`: runs that start inside stay inside along the edges, and there the claims hold.
@@ -72,7 +72,7 @@ pub fn ellipsoid(c: &Ellipsoid) -> Result<Shown> {
     for name in &c.start {
         let (centre, matrix) = node(name)?;
         for (i, point) in c.points.iter().enumerate() {
-            let away = point.iter().zip(*centre).map(|(p, q)| p.clone() - q).collect();
+            let away = point.iter().zip(*centre).map(|(p, q)| p - q).collect();
             let there = bordered(matrix.clone(), away, Number::whole(1));
             let inside = point.len() == size && definite(&there, false);
             ensure!(inside, RULE, "point {i} of the start is not in `{name:.40}`");
@@ -94,7 +94,7 @@ pub fn ellipsoid(c: &Ellipsoid) -> Result<Shown> {
         let rows: Vec<Poly> =
             names.iter().map(|n| made.get(n.as_str()).cloned().unwrap_or_default()).collect();
         let moved = |(a, b): (&Vector, &Vector)| -> Vector {
-            a.iter().zip(b).map(|(a, b)| rate.clone() * &(b.clone() - a)).collect()
+            a.iter().zip(b).map(|(a, b)| &rate * &(b - a)).collect()
         };
         let drift = moved((from.0, to.0));
         let change: Matrix = from.1.iter().zip(&to.1).map(moved).collect();
@@ -104,10 +104,10 @@ pub fn ellipsoid(c: &Ellipsoid) -> Result<Shown> {
             for (end, (centre, matrix)) in ends.iter().enumerate() {
                 let aq = product(&a, matrix);
                 let entry = |i: usize, j: usize| {
-                    let decay = edge.decay.clone() * &matrix[i][j];
-                    change[i][j].clone() - &(aq[i][j].clone() + &aq[j][i] + &decay)
+                    let decay = &edge.decay * &matrix[i][j];
+                    &change[i][j] - &(&aq[i][j] + &aq[j][i] + &decay)
                 };
-                let column = |i: usize| drift[i].clone() - &(b[i].clone() + &dot(&a[i], centre));
+                let column = |i: usize| &drift[i] - &(&b[i] + &dot(&a[i], centre));
                 let all = (0..size).map(|i| (0..=i).map(|j| entry(i, j)).collect()).collect();
                 let minus = bordered(all, (0..size).map(column).collect(), edge.decay.clone());
                 let place = format!("edge {}: vertex {vertex}, end {end}", path(edge));

@@ -182,13 +182,15 @@ impl<'t> Parser<'t> {
         if depth > MAX_DEPTH {
             return Err(format!("more than {MAX_DEPTH} brackets within brackets"));
         }
-        let mut sum = Poly::default();
-        let mut minus = self.take("-");
+        let minus = self.take("-");
+        let first = self.product(depth)?;
+        let mut sum = if minus { Poly::default() - &first } else { first };
         loop {
-            let product = self.product(depth)?;
-            sum = if minus { sum - &product } else { sum + &product };
-            minus = self.take("-");
-            if !minus && !self.take("+") {
+            if self.take("+") {
+                sum = sum + &self.product(depth)?;
+            } else if self.take("-") {
+                sum = sum - &self.product(depth)?;
+            } else {
                 return Ok(sum);
             }
         }
@@ -269,7 +271,7 @@ impl fmt::Display for Atom {
         match self {
             Self::Var(name) => f.write_str(name),
             Self::Fact(name) => write!(f, "[{name}]"),
-            Self::App(name, terms) => write!(f, "{name}({})", joined(terms, ",")),
+            Self::App(name, terms) => write!(f, "{name}({})", joined(&**terms, ",")),
         }
     }
 }

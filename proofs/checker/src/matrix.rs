@@ -20,8 +20,8 @@ pub fn symmetric(rule: &'static str, triangle: &[Vec<Number>], size: usize) -> R
 /// A number above 0 that makes all of a matrix integers, and those: integers are cheaper than fractions.
 fn integers(m: &Matrix) -> (Number, Matrix) {
     let entries = m.iter().flatten().filter(|x| !x.is_integer());
-    let scale = entries.fold(Number::whole(1), |d, x| (d.clone() * x).denominator() * &d);
-    let whole = |row: &Vec<Number>| row.iter().map(|x| scale.clone() * x).collect();
+    let scale = entries.fold(Number::whole(1), |d, x| (&d * x).denominator() * &d);
+    let whole = |row: &Vec<Number>| row.iter().map(|x| &scale * x).collect();
     (scale.clone(), m.iter().map(whole).collect())
 }
 
@@ -33,7 +33,7 @@ pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
         let mut sum = vec![Number::whole(0); b.first().map_or(0, Vec::len)];
         for (x, line) in row.iter().zip(&b).filter(|(x, _)| !x.is_zero()) {
             for (sum, y) in sum.iter_mut().zip(line).filter(|(_, y)| !y.is_zero()) {
-                *sum = sum.clone() + &(x.clone() * y);
+                *sum = &*sum + &(x * y);
             }
         }
         sum.iter().map(|x| x.over(&scale).unwrap_or_else(|| Number::whole(0))).collect()
@@ -50,7 +50,7 @@ pub fn congruent(a: &Matrix, p: &Matrix) -> Matrix {
 
 /// The product of two vectors.
 pub fn dot(a: &[Number], b: &[Number]) -> Number {
-    a.iter().zip(b).fold(Number::whole(0), |sum, (x, y)| sum + &(x.clone() * y))
+    a.iter().zip(b).fold(Number::whole(0), |sum, (x, y)| sum + &(x * y))
 }
 
 /// The lower triangle of a symmetric matrix with one more row.
@@ -62,7 +62,7 @@ pub fn bordered(mut m: Matrix, mut row: Vec<Number>, corner: Number) -> Matrix {
 
 /// c a - b.
 pub fn difference(c: &Number, a: &Matrix, b: &Matrix) -> Matrix {
-    let entry = |(x, y): (&Number, &Number)| c.clone() * x - y;
+    let entry = |(x, y): (&Number, &Number)| c * x - y;
     a.iter().zip(b).map(|(a, b)| a.iter().zip(b).map(entry).collect()).collect()
 }
 
@@ -86,9 +86,9 @@ pub fn definite(m: &Matrix, strictly: bool) -> bool {
         }
         for (i, (row, factor)) in m[k + 1..].iter_mut().zip(below).enumerate() {
             for (x, y) in row[k + 1..].iter_mut().zip(&below[..=i]) {
-                let taken = if y.is_zero() { y.clone() } else { factor.clone() * y };
+                let taken = if y.is_zero() { y.clone() } else { factor * y };
                 if !x.is_zero() || !taken.is_zero() {
-                    *x = (pivot.clone() * x - &taken).divided(&before);
+                    *x = (pivot * x - &taken).divided(&before);
                 }
             }
         }

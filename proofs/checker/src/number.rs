@@ -125,15 +125,18 @@ impl Number {
         Self(Rational::from_integer(self.0.denom().clone()))
     }
 
-    /// Numerator and denominator in words of 64 bits, each rounded down.
-    fn words(&self) -> u64 {
-        self.0.numer().bits() / 64 + self.0.denom().bits() / 64
+    /// What an operation on the two costs: fractions more, since common divisors are sought bit by bit.
+    fn cost(&self, other: &Self) -> u64 {
+        let bits = |x: &Self| x.0.numer().bits() + x.0.denom().bits();
+        let words = (bits(self) + bits(other)) / 64;
+        match self.is_integer() && other.is_integer() {
+            true => 128 + words * words / 8,
+            false => 256 + 192 * words + words * words,
+        }
     }
 
-    /// Charges an operation on the two, which costs at most the square of their length: common divisors are sought bit by bit.
     fn charged(&self, other: &Self, result: impl FnOnce() -> Rational) -> Self {
-        let words = self.words() + other.words();
-        Self(if charge(128 + 3 * words * words / 2) { result() } else { Rational::zero() })
+        Self(if charge(self.cost(other)) { result() } else { Rational::zero() })
     }
 }
 
@@ -145,13 +148,20 @@ impl fmt::Display for Number {
 
 macro_rules! operations {
     ($($name:ident $method:ident $op:tt;)*) => {$(
-        impl $name<&Self> for Number {
-            type Output = Self;
-            fn $method(self, other: &Self) -> Self {
+        impl $name for &Number {
+            type Output = Number;
+            fn $method(self, other: Self) -> Number {
                 let whole = self.0.is_integer() && other.0.is_integer();
                 // Without denominators there is nothing to reduce.
                 let short = || Rational::from_integer(self.0.numer() $op other.0.numer());
                 self.charged(other, || if whole { short() } else { &self.0 $op &other.0 })
+            }
+        }
+
+        impl $name<&Self> for Number {
+            type Output = Self;
+            fn $method(self, other: &Self) -> Self {
+                &self $op other
             }
         }
     )*};
@@ -166,6 +176,6 @@ impl Scalar for Number {
 
 impl Ordered for Number {
     fn compare(&self, other: &Self) -> Option<Ordering> {
-        charge(128 + self.words() + other.words()).then(|| self.cmp(other))
+        charge(self.cost(other)).then(|| self.cmp(other))
     }
 }

@@ -15,7 +15,7 @@ pub enum Atom {
     /// A variable or a constant.
     Var(Rc<str>),
     /// A function of integer terms.
-    App(Rc<str>, Vec<Poly>),
+    App(Rc<str>, Rc<[Poly]>),
     /// A fact by its name; in the sums of proofs only.
     Fact(Rc<str>),
 }
@@ -60,7 +60,7 @@ impl Poly {
 
     /// That function of these terms.
     pub fn app(function: &str, terms: &[Self]) -> Self {
-        Self::atom(Atom::App(function.into(), terms.to_vec()))
+        Self::atom(Atom::App(function.into(), terms.into()))
     }
 
     /// Its monomials and coefficients.
@@ -92,18 +92,31 @@ impl Poly {
     /// The polynomial with `value(a)` in the place of each atom for which there is one, also in
     /// the terms of applications.
     pub fn substitute(&self, value: &dyn Fn(&Atom) -> Option<Self>) -> Self {
-        self.0.iter().fold(Self::default(), |sum, (monomial, c)| {
-            let product = monomial.iter().fold(Self::constant(c.clone()), |product, a| {
-                let inside = || match a {
-                    Atom::App(f, t) => {
-                        Self::app(f, &t.iter().map(|t| t.substitute(value)).collect::<Vec<_>>())
-                    }
-                    _ => Self::atom(a.clone()),
-                };
-                product * &value(a).unwrap_or_else(inside)
-            });
-            sum + &product
-        })
+        let inside = |a: &Atom| match a {
+            Atom::App(f, terms) => {
+                Atom::App(f.clone(), terms.iter().map(|t| t.substitute(value)).collect())
+            }
+            _ => a.clone(),
+        };
+        let mut sum = Self::default();
+        for (monomial, c) in &self.0 {
+            let (mut factors, mut rest) = (Vec::new(), Vec::new());
+            for a in monomial {
+                match value(a) {
+                    Some(p) => factors.push(p),
+                    None => rest.push(inside(a)),
+                }
+            }
+            match factors.into_iter().reduce(|p, q| p * &q) {
+                Some(factor) => sum.add_product(&rest, c, &factor),
+                None if copied(&rest, &[]) => {
+                    rest.sort_unstable();
+                    sum.add_term(rest, c.clone());
+                }
+                None => break,
+            }
+        }
+        sum
     }
 
     /// The polynomial with polynomials in the place of variables.
@@ -126,15 +139,30 @@ impl Poly {
         self.0.get(monomial).cloned().unwrap_or_else(|| Number::whole(0))
     }
 
+    /// Adds a term times a polynomial, as long as that is allowed.
+    fn add_product(&mut self, m: &[Atom], c: &Number, p: &Self) {
+        for (n, d) in &p.0 {
+            if !copied(m, n) {
+                return;
+            }
+            let mut monomial: Vec<Atom> = m.iter().chain(n).cloned().collect();
+            monomial.sort_unstable();
+            self.add_term(monomial, c * d);
+        }
+    }
+
     fn add_term(&mut self, monomial: Vec<Atom>, c: Number) {
-        let sum = self.0.remove(&monomial).map_or(c.clone(), |old| old + &c);
+        let sum = match self.0.remove(&monomial) {
+            Some(old) => old + &c,
+            None => c,
+        };
         if !sum.is_zero() {
             self.0.insert(monomial, sum);
         }
     }
 }
 
-/// Charges the copy of a monomial; whether it is allowed.
+/// Charges the copy of a monomial, or of a product of two; whether it is allowed.
 fn copied(m: &[Atom], n: &[Atom]) -> bool {
     charge(128 * (1 + m.iter().chain(n).map(Atom::size).sum::<u64>()))
 }
@@ -155,8 +183,9 @@ impl Add<&Self> for Poly {
 impl Sub<&Self> for Poly {
     type Output = Self;
 
-    fn sub(self, other: &Self) -> Self {
-        self + &(Self::whole(-1) * other)
+    fn sub(mut self, other: &Self) -> Self {
+        self.add_product(&[], &Number::whole(-1), other);
+        self
     }
 }
 
@@ -166,14 +195,7 @@ impl Mul<&Self> for Poly {
     fn mul(self, other: &Self) -> Self {
         let mut product = Self::default();
         for (m, c) in &self.0 {
-            for (n, d) in &other.0 {
-                if !copied(m, n) {
-                    return Self::default();
-                }
-                let mut monomial: Vec<Atom> = m.iter().chain(n).cloned().collect();
-                monomial.sort_unstable();
-                product.add_term(monomial, c.clone() * d);
-            }
+            product.add_product(m, c, other);
         }
         product
     }

@@ -76,9 +76,7 @@ pub fn quadratic(c: &Quadratic) -> Result<Shown> {
             for target in targets {
                 let moved = congruent(&a, target);
                 let (left, way) = match &c.rate {
-                    Some(c) => {
-                        (difference(&(c.clone() * c), form, &moved), "does not fall by the rate")
-                    }
+                    Some(c) => (difference(&(c * c), form, &moved), "does not fall by the rate"),
                     None => (difference(&Number::whole(1), &moved, form), "may fall"),
                 };
                 let kept = definite(&left, false);

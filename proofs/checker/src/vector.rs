@@ -37,7 +37,7 @@ fn rows(
     let after = |drones: Vec<Poly>| step(&params, &State { drones, timesteps: 0 }).drones;
     let targets: Vec<Poly> = (0..count).map(Poly::from_index).collect();
     ensure!(after(targets.clone()) == targets, rule, "the targets are not a fixed point");
-    let name = |i: usize| Atom::App("x".into(), vec![Poly::from_index(i)]);
+    let name = |i: usize| Atom::App("x".into(), [Poly::from_index(i)].into());
     let mut symbols: Vec<Poly> = (0..count).map(|i| Poly::atom(name(i))).collect();
     (symbols[0], symbols[count - 1]) = (Poly::default(), last);
     let places: BTreeMap<Vec<Atom>, usize> = (1..count - 1).map(|j| (vec![name(j)], j)).collect();
@@ -64,7 +64,7 @@ pub fn contraction(c: &Contraction, step: Step) -> Result<Shown> {
     let falls = (Number::whole(0)..Number::whole(1)).contains(&c.rate);
     ensure!(falls, RULE, "the rate is not in [0, 1)");
     rows(RULE, (c.drones, &c.eps, &c.vector), step, |i, sum, w| {
-        ensure!(sum <= c.rate.clone() * w, RULE, "drone {i}: |A| w exceeds rate * w");
+        ensure!(sum <= &c.rate * w, RULE, "drone {i}: |A| w exceeds rate * w");
         Ok(())
     })?;
     let said = "from every start all drones converge to their targets";

@@ -13,9 +13,26 @@ pub fn instance(name: &str, lemma: &str, with: &str, given: &str) -> Value {
     json!({ "name": name, "lemma": lemma, "with": pairs(with), "given": pairs(given) })
 }
 
+/// The instances that the sum or `times` names, or the sums of those that are kept: an instance reads earlier ones only.
+fn read<'i>(instances: &'i [Value], times: &[&str], sum: &str) -> Vec<&'i Value> {
+    let mut sums = sum.to_owned();
+    let mut kept = Vec::new();
+    for instance in instances.iter().rev() {
+        let name = instance["name"].as_str().unwrap_or_default();
+        if times.contains(&name) || sums.contains(&format!("[{name}]")) {
+            let given = instance["given"].as_object().into_iter().flat_map(Map::values);
+            sums.extend(given.filter_map(Value::as_str));
+            kept.push(instance);
+        }
+    }
+    kept.reverse();
+    kept
+}
+
 /// The goal, times positive facts, as a sum of products of facts, instances among them.
 pub fn positivity_times(times: &[&str], instances: &[Value], sum: &str) -> Value {
     let mut body = Map::new();
+    let instances = read(instances, times, sum);
     if !instances.is_empty() {
         body.insert("use".into(), json!(instances));
     }

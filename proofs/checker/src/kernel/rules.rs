@@ -127,15 +127,17 @@ impl Kernel {
         }
         let enough = goal.relation != Positive || strict;
         ensure!(enough, RULE, "no product that is above 0, as the goal has to be");
-        let rest = left
-            - &sum.substitute(&|a| match a {
-                Atom::Fact(name) => fact(name).map(|l| l.poly.clone()),
-                _ => None,
-            });
-        match rest.terms().next() {
-            None => Ok(()),
-            Some((m, _)) if m.is_empty() => fault(RULE, "the sides differ in their constants"),
-            Some((m, _)) => fault(RULE, format!("the sides differ at `{:.60}`", joined(m, "*"))),
+        let sum = sum.substitute(&|a| match a {
+            Atom::Fact(name) => fact(name).map(|l| l.poly.clone()),
+            _ => None,
+        });
+        if left == sum {
+            return Ok(());
+        }
+        let rest = left - &sum;
+        match rest.terms().next().map(|(m, _)| joined(m, "*")) {
+            Some(m) if !m.is_empty() => fault(RULE, format!("the sides differ at `{m:.60}`")),
+            _ => fault(RULE, "the sides differ in their constants"),
         }
     }
 

@@ -111,7 +111,7 @@ fn classes_stand_for_every_drone_of_every_swarm() {
                             let share = Poly::from_int(i32::from(on));
                             (
                                 next.drones[i].clone(),
-                                vec![(Atom::App("active".into(), terms), share)],
+                                vec![(Atom::App("active".into(), terms.into()), share)],
                             )
                         })
                         .to_vec(),

@@ -204,7 +204,12 @@ impl Exhaust {
         }
         batch.pad();
         // What is admitted in every lane is admitted; one by one where lanes cannot tell.
-        if !(self.plain.is_some() && self.admitting(batch.lanes::<i64>())) {
+        let admitted = if self.narrow.is_some() {
+            self.admitting(batch.lanes::<i32>())
+        } else {
+            self.plain.is_some() && self.admitting(batch.lanes::<i64>())
+        };
+        if !admitted {
             batch.retain(|start| self.admitting(start.iter().map(|x| i128::from(*x)).collect()));
         }
         if batch.filled == 0 {
@@ -425,9 +430,11 @@ impl<'e> Trial<'e> {
 
     /// Tries every start of a piece of a grid.
     pub fn sweep(&mut self, grid: &Grid, piece: &Piece) {
-        grid.for_each(piece, |start| {
+        let mirrored = self.mirrored;
+        let visit = |start: &[i64]| {
             self.start(start);
             true
-        });
+        };
+        if mirrored { grid.for_each_smaller(piece, visit) } else { grid.for_each(piece, visit) }
     }
 }

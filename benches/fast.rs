@@ -42,12 +42,6 @@ fn jump_over_num_bigint((count, k): (i64, u64)) -> Vec<Answer> {
     jump::at(&line(count), &[k], &NumBigint).unwrap()
 }
 
-#[cfg(feature = "gmp")]
-#[divan::bench(args = WORK, sample_count = 5)]
-fn jump_over_gmp((count, k): (i64, u64)) -> Vec<Answer> {
-    jump::at(&line(count), &[k], &cordon_run::fast::multiply::Gmp).unwrap()
-}
-
 #[divan::bench(args = &WORK[..4], sample_count = 5)]
 fn stepping((count, k): (i64, u64)) -> Vec<Answer> {
     step::at(&line(count), &[k]).unwrap()

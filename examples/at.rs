@@ -1,8 +1,8 @@
 //! One exact run for the benchmark against the peers (`benches/peers/run.sh`).
 //!
 //! `at N K ENGINE`: N drones on \[0, 100\], drone i at 40i/(N-1) and the last at 100, eps = 1/5,
-//! K protocol steps. ENGINE is `step`, or `jump` with the backend `ntt`, `num-bigint` or
-//! `gmp`. Prints the CPU seconds of the computation (numerators over the common denominator,
+//! K protocol steps. ENGINE is `step`, `jump` (by transforms) or `num-bigint` (a jump by that
+//! library). Prints the CPU seconds of the computation (numerators over the common denominator,
 //! start to finish) and a hash of the positions that does not depend on their denominators.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -50,11 +50,9 @@ fn cpu_seconds() -> f64 {
 fn backend(engine: &str) -> Option<&'static dyn Multiply> {
     match engine {
         "step" => None,
-        "ntt" | "jump" => Some(&Ntt),
+        "jump" => Some(&Ntt),
         "num-bigint" => Some(&NumBigint),
-        #[cfg(feature = "gmp")]
-        "gmp" => Some(&cordon_run::fast::multiply::Gmp),
-        other => panic!("engine `{other}` is unknown or not built"),
+        other => panic!("engine `{other}`: expected step, jump or num-bigint"),
     }
 }
 

@@ -112,7 +112,7 @@ pub fn trace(scenario: &Scenario, last: u64) -> Result<Vec<Vec<Rational>>> {
 /// ```
 pub fn jump(scenario: &Scenario, steps: &[u64]) -> Result<Vec<Vec<Rational>>> {
     let last = steps.iter().copied().max().unwrap_or(0);
-    let answers = Motion::of(scenario, last)?.positions(steps, Engine::Auto)?;
+    let answers = Motion::of(scenario, last)?.positions(steps, Engine::Jump)?;
     Ok(answers.into_iter().map(|answer| shown(scenario, answer).lowest()).collect())
 }
 

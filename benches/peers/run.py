@@ -21,14 +21,12 @@ LIMIT = float(os.environ.get("PEERS_LIMIT", "60"))
 WORK = [(20, 1000), (20, 10_000), (100, 1000), (100, 10_000), (100, 100_000)]
 
 AT = os.path.join(BUILD, "at")
-AT_GMP = os.path.join(BUILD, "at-gmp")
 FLINT = os.path.join(BUILD, "flint")
 MULTIPLY = os.path.join(BUILD, "multiply")
 
 # Name, command with {n} and {k}, and how its cost grows: (of N, of k), to skip what would not end.
 PEERS = [
     ("Cordon, jump", [AT, "{n}", "{k}", "jump"]),
-    ("Cordon, jump over GMP", [AT_GMP, "{n}", "{k}", "gmp"]),
     ("Cordon, jump over num-bigint", [AT, "{n}", "{k}", "num-bigint"]),
     ("Cordon, step by step", [AT, "{n}", "{k}", "step"]),
     ("FLINT integers, step by step", [FLINT, "{n}", "{k}", "step"]),

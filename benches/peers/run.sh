@@ -3,8 +3,7 @@
 # checks that their results are the same, and prints the tables in Markdown on stdout.
 #
 # Peers: Python 3 (also runs the comparison), FLINT and GMP (Debian: libflint-dev, libgmp-dev),
-# SBCL. Set PEERS_LIMIT for another time limit of a run than 60 s, GMP=no to leave out the
-# feature `gmp` (which builds GMP from source). Arguments name tables: exact, processes,
+# SBCL. Set PEERS_LIMIT for another time limit of a run than 60 s. Arguments name tables: exact, processes,
 # co-simulation, sweeps; what the others need is not built. With `--readme` each table replaces the
 # one in the README.
 set -eu
@@ -30,12 +29,6 @@ wanted() { # a table, the arguments
 }
 
 if wanted exact "$@" || wanted processes "$@"; then
-    if [ "${GMP:-yes}" = yes ] && command -v m4 >/dev/null; then
-        cargo build --quiet --release --features gmp --example at
-        cp "$target/release/examples/at" "$build/at-gmp"
-    else
-        say "without GMP as a backend: needs m4, and GMP=no not set"
-    fi
     cargo build --quiet --release --example at
     cp "$target/release/examples/at" "$build/"
 fi

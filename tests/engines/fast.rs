@@ -137,8 +137,7 @@ fn random_primes_catch_an_injected_fault() {
     runner(CASES)
         .run(&case, |((p, start), steps, row, drone, fault, seed)| {
             let rule = Rule::Coverage { min: p.min, max: p.max, eps: p.eps };
-            let mut answers =
-                fast::engine::positions(&rule.line(&start).unwrap(), &steps, Engine::Jump).unwrap();
+            let mut answers = jump::at(&rule.line(&start).unwrap(), &steps, &Ntt).unwrap();
             let right = verify(&rule, &start, &answers, 2, seed).unwrap();
             prop_assert_eq!(right.disagreement, None);
             prop_assert_eq!(right.primes.len(), 2);
@@ -166,7 +165,7 @@ fn an_answer_of_another_length_is_a_disagreement() {
     let rule = Rule::Consensus { eps: ratio(1, 3) };
     let start = [0, 1, 5, 9].map(|x| ratio(x, 1));
     let line = rule.line(&start).unwrap();
-    let mut answers = fast::engine::positions(&line, &[9], Engine::Auto).unwrap();
+    let mut answers = fast::engine::positions(&line, &[9], Engine::Jump).unwrap();
     assert_eq!(verify(&rule, &start, &answers, 1, 7).unwrap().disagreement, None);
     let last = answers[0].numerators.pop().unwrap();
     assert!(verify(&rule, &start, &answers, 1, 7).unwrap().disagreement.is_some());

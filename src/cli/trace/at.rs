@@ -43,13 +43,12 @@ pub struct AtArgs {
 /// The engines that a user can choose.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
-    /// Exact, by the engine that is expected to be faster
+    /// Exact: no steps between, except where making them is expected to be faster
     #[default]
-    Auto,
+    #[value(alias = "auto")]
+    Jump,
     /// Exact: every step
     Step,
-    /// Exact: no steps between
-    Jump,
     /// Decimals of which every digit is certain, for any number of steps
     Digits,
 }
@@ -58,9 +57,8 @@ impl Method {
     /// The exact engine; `None` for `Digits`.
     fn exact(self) -> Option<Engine> {
         match self {
-            Self::Auto => Some(Engine::Auto),
-            Self::Step => Some(Engine::Step),
             Self::Jump => Some(Engine::Jump),
+            Self::Step => Some(Engine::Step),
             Self::Digits => None,
         }
     }

@@ -4,6 +4,7 @@ use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
 use num_traits::{One, Zero};
 
+use super::growth::Growth;
 use super::multiply::Multiply;
 use super::power;
 use cordon_core::Rational;
@@ -32,7 +33,7 @@ impl Answer {
     /// Bits of all numerators and, once for each, of the common denominator: what a vector of
     /// fractions takes.
     pub fn bits(&self) -> u64 {
-        let den = self.base.bits() + (self.den.bits().saturating_sub(1)).saturating_mul(self.k);
+        let den = self.base.bits() + Growth::of(&self.den).bits(self.k);
         self.numerators.iter().map(|n| n.bits() + den).sum()
     }
 

@@ -14,25 +14,16 @@ use cordon_core::{Error, Result};
 /// How the exact positions are computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Engine {
-    /// The one that is expected to be faster
+    /// No steps between, by powers of the step, except where making them is expected to be faster
     #[default]
-    Auto,
+    Jump,
     /// Every step, in integers over a common denominator
     Step,
-    /// No steps between: one power of the step's kernel
-    Jump,
 }
 
-/// The default backend of long multiplications.
+/// The backend of long multiplications.
 pub fn multiplier() -> &'static dyn Multiply {
-    #[cfg(feature = "gmp")]
-    {
-        &super::multiply::Gmp
-    }
-    #[cfg(not(feature = "gmp"))]
-    {
-        &super::ntt::Ntt
-    }
+    &super::ntt::Ntt
 }
 
 /// What the engines move: a line of drones, or an own protocol that is none.
@@ -96,34 +87,26 @@ impl Motion {
     /// The positions after each of `steps`, in their order.
     ///
     /// # Errors
-    /// An answer longer than the memory limit; a jump over steps that are drawn.
+    /// An answer longer than the memory limit.
     pub fn positions(&self, steps: &[u64], engine: Engine) -> Result<Vec<Answer>> {
-        let course = match self {
-            Self::Line(line) => return positions(line, steps, engine),
-            Self::Course(course) => course,
-        };
-        let last = last(steps);
-        course.refuse_beyond_memory("at", last)?;
-        let jump = match engine {
-            Engine::Jump => true,
-            Engine::Step => false,
-            Engine::Auto => self.jump_is_faster(last, steps.iter().copied()),
-        };
-        if jump {
-            let drawn = || {
-                Error::input(
-                    "engine: `jump`: expected no drawn choices: drawn steps are made one by one",
-                )
-            };
-            let after = |&k: &u64| leap::after(course, k, multiplier()).ok_or_else(drawn);
-            return steps.iter().map(after).collect();
+        match self {
+            Self::Line(line) => positions(line, steps, engine),
+            Self::Course(course) => {
+                course.refuse_beyond_memory("at", last(steps))?;
+                let costs = (|k| course.stepping(k), |k| leap::jumping(course, k));
+                let plan = Plan::of(steps, engine, costs);
+                let mut wanted = plan.near.clone();
+                wanted.sort_unstable();
+                let mut run = course::Run::new((**course).clone(), last(&wanted));
+                let found: BTreeMap<u64, Answer> =
+                    wanted.into_iter().map(|k| (k, run.advance_to(k).answer())).collect();
+                let near = plan.near.iter().filter_map(|k| found.get(k).cloned()).collect();
+                // Drawn steps are never far: a jump over them would cost infinitely much.
+                let jump = |&k: &u64| leap::after(course, k, multiplier());
+                let far = plan.far.iter().filter_map(jump).collect();
+                Ok(plan.in_order(steps, near, far))
+            }
         }
-        let mut wanted = steps.to_vec();
-        wanted.sort_unstable();
-        let mut run = course::Run::new((**course).clone(), last);
-        let found: BTreeMap<u64, Answer> =
-            wanted.into_iter().map(|k| (k, run.advance_to(k).answer())).collect();
-        Ok(steps.iter().filter_map(|k| found.get(k).cloned()).collect())
     }
 
     /// Whether jumping to each of `steps` is expected to be faster than stepping to the `last`.
@@ -146,13 +129,54 @@ impl Motion {
 /// # Errors
 /// An answer longer than the memory limit.
 pub fn positions(line: &Line, steps: &[u64], engine: Engine) -> Result<Vec<Answer>> {
-    match engine {
-        Engine::Jump => jump::at(line, steps, multiplier()),
-        Engine::Step => step::at(line, steps),
-        Engine::Auto if jump_is_faster(line, last(steps), steps.iter().copied()) => {
-            jump::at(line, steps, multiplier())
+    line.refuse_beyond_memory("at", last(steps))?;
+    let costs = (|k| cost::stepping(line, k), |k| cost::jumping(line, k));
+    let plan = Plan::of(steps, engine, costs);
+    let near = step::at(line, &plan.near)?;
+    let far = jump::at(line, &plan.far, multiplier())?;
+    Ok(plan.in_order(steps, near, far))
+}
+
+/// Which of some steps are stepped to, and which are jumped to: those after them.
+struct Plan {
+    /// The last that is stepped to.
+    until: Option<u64>,
+    near: Vec<u64>,
+    far: Vec<u64>,
+}
+
+impl Plan {
+    /// The cheapest, by what stepping to a step and jumping to it cost.
+    fn of(
+        steps: &[u64],
+        engine: Engine,
+        (stepping, jumping): (impl Fn(u64) -> f64, impl Fn(u64) -> f64),
+    ) -> Self {
+        let mut sorted = steps.to_vec();
+        sorted.sort_unstable();
+        let mut until = sorted.last().copied();
+        if engine == Engine::Jump {
+            let (mut jumps, mut least) = (0.0, f64::INFINITY);
+            for k in sorted.into_iter().rev() {
+                let cost = stepping(k) + jumps;
+                if cost < least {
+                    (least, until) = (cost, Some(k));
+                }
+                jumps += jumping(k);
+            }
+            if jumps < least {
+                until = None;
+            }
         }
-        Engine::Auto => step::at(line, steps),
+        let (near, far) = steps.iter().partition(|k| Some(**k) <= until);
+        Self { until, near, far }
+    }
+
+    /// The answers of both kinds in the order of the steps.
+    fn in_order(&self, steps: &[u64], near: Vec<Answer>, far: Vec<Answer>) -> Vec<Answer> {
+        let (mut near, mut far) = (near.into_iter(), far.into_iter());
+        let next = |k: &u64| if Some(*k) <= self.until { near.next() } else { far.next() };
+        steps.iter().filter_map(next).collect()
     }
 }
 
@@ -167,4 +191,27 @@ pub fn jump_is_faster(line: &Line, last: u64, steps: impl IntoIterator<Item = u6
         left -= cost::jumping(line, k);
         left > 0.0
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Costs in the simplest units: a step k costs k^2, a jump `jump`.
+    fn plan(steps: &[u64], engine: Engine, jump: f64) -> (Vec<u64>, Vec<u64>) {
+        let plan = Plan::of(steps, engine, (|k| (k * k) as f64, |_| jump));
+        (plan.near, plan.far)
+    }
+
+    #[test]
+    fn near_steps_are_stepped_to_and_far_ones_jumped_to() {
+        let steps = [1000, 3, 1, 2, 3, 40];
+        assert_eq!(plan(&steps, Engine::Jump, 100.0), (vec![3, 1, 2, 3], vec![1000, 40]));
+        assert_eq!(plan(&steps, Engine::Jump, 0.1), (vec![], steps.to_vec()));
+        assert_eq!(plan(&steps, Engine::Jump, f64::INFINITY), (steps.to_vec(), vec![]));
+        assert_eq!(plan(&steps, Engine::Step, 0.1), (steps.to_vec(), vec![]));
+        // A start costs nothing to step to.
+        assert_eq!(plan(&[0, 9], Engine::Jump, 1.0), (vec![0], vec![9]));
+        assert_eq!(plan(&[], Engine::Jump, 1.0), (vec![], vec![]));
+    }
 }

@@ -223,14 +223,15 @@ impl Kernel {
             u32::from(self.is_full()) + u32::from(other.map_or(self.is_full(), Self::is_full));
         let bits = self.rule.length.product_bits(k) + u64::from(doublings);
         let slot = limbs_for((bits + 1).div_ceil(2));
-        let packed = self.pack(slot);
+        let room = if other.is_none() { by.room(self.packed_length(slot)) } else { 0 };
+        let packed = self.pack(slot, room);
         let stride = limbs_for(bits);
         let half_length = stride * (self.half + 1);
         // Free the old coefficients before the product needs memory.
         self.coefficients = Vec::new();
         let product = match other {
             None => by.square(packed),
-            Some(other) => by.product(&packed, &other.pack(slot)),
+            Some(other) => by.product(&packed, &other.pack(slot, 0)),
         };
         let mut next = vec![0; half_length];
         let mut palindrome = Palindrome::new(&product, slot, 2 * degree);
@@ -275,10 +276,17 @@ impl Kernel {
         self.degree() == self.half
     }
 
-    /// The palindrome `z^-degree ..= z^degree` at `z = 2^(64 slot)`, twice if [`Self::is_full`].
-    fn pack(&self, slot: usize) -> Vec<u64> {
+    fn packed_length(&self, slot: usize) -> usize {
+        slot * 2 * self.degree() + self.stride + 2
+    }
+
+    /// The palindrome `z^-degree ..= z^degree` at `z = 2^(64 slot)`, twice if [`Self::is_full`], in
+    /// memory for `room` limbs at least.
+    fn pack(&self, slot: usize, room: usize) -> Vec<u64> {
         let (degree, doubled) = (self.degree(), self.is_full());
-        let mut packed = vec![0; slot * 2 * degree + self.stride + 2];
+        let length = self.packed_length(slot);
+        let mut packed = Vec::with_capacity(room.max(length));
+        packed.resize(length, 0);
         for index in 0..=2 * degree {
             let j = index.abs_diff(degree);
             let coefficient = limbs::trimmed(self.coefficient(j));

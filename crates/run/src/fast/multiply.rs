@@ -12,8 +12,13 @@ pub trait Multiply: Sync {
     fn product(&self, a: &[u64], b: &[u64]) -> Vec<u64>;
 
     /// `a * a`; high limbs that are 0 may be missing. Takes `a`, so that its memory can be
-    /// given back before the product needs it.
+    /// given back or used before the product needs it.
     fn square(&self, a: Vec<u64>) -> Vec<u64>;
+
+    /// The capacity that the square of so many limbs is computed in, if its argument has it.
+    fn room(&self, limbs: usize) -> usize {
+        limbs
+    }
 }
 
 /// `num-bigint`: schoolbook, Karatsuba and Toom-3.
@@ -33,33 +38,4 @@ impl Multiply for NumBigint {
         let a = natural(&a);
         (&a * &a).iter_u64_digits().collect()
     }
-}
-
-/// GMP, through `rug`.
-#[cfg(feature = "gmp")]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Gmp;
-
-#[cfg(feature = "gmp")]
-impl Multiply for Gmp {
-    fn name(&self) -> &'static str {
-        "gmp"
-    }
-
-    fn product(&self, a: &[u64], b: &[u64]) -> Vec<u64> {
-        let [a, b] = [a, b].map(|x| rug::Integer::from_digits(x, rug::integer::Order::Lsf));
-        gmp_limbs(&rug::Integer::from(&a * &b))
-    }
-
-    fn square(&self, a: Vec<u64>) -> Vec<u64> {
-        let a = rug::Integer::from_digits(&a, rug::integer::Order::Lsf);
-        gmp_limbs(&rug::Integer::from(a.square_ref()))
-    }
-}
-
-#[cfg(feature = "gmp")]
-fn gmp_limbs(x: &rug::Integer) -> Vec<u64> {
-    let mut limbs = vec![0; x.significant_digits::<u64>()];
-    x.write_digits(&mut limbs, rug::integer::Order::Lsf);
-    limbs
 }

@@ -1,7 +1,8 @@
 //! Long multiplication by number-theoretic transforms: the default backend.
 //!
 //! Both factors are cut into digits of 88 bits, the coefficients of two polynomials; their
-//! product is found modulo four primes below 2^50 at once, by transforms of length 2^a or 3*2^a,
+//! product is found modulo four primes below 2^50 at once, by transforms of length 2^a, 3*2^a
+//! or 5*2^a,
 //! and put together by the Chinese remainder theorem. Portable Rust (the one `unsafe`
 //! call, to the copy for wide vectors, is `cordon-vector`'s), in time n log n: `benches/peers` measures
 //! it against the libraries. Short factors go to
@@ -23,8 +24,8 @@ mod transform;
 
 use cordon_vector::{Task, widest};
 
-use digits::{DIGIT, GROUP_LIMBS, gather, spread};
-use residue::{Row, inverse};
+use digits::{DIGIT, GROUP_LIMBS, ROW, gather, spread};
+use residue::{Row, Words, inverse};
 use transform::{Twiddles, transform, transform_length};
 
 use super::limbs;
@@ -66,12 +67,19 @@ impl Multiply for Ntt {
             _ => self.product(&a, &a),
         }
     }
+
+    fn room(&self, limbs: usize) -> usize {
+        match limbs {
+            SHORTEST..=LONGEST => words(1, length_for(2 * limbs)),
+            _ => limbs,
+        }
+    }
 }
 
 /// The products of values, times `scale`. Up to 1.6, from factors up to 2.72.
 struct Pointwise<'a> {
-    x: &'a mut [Row],
-    y: Option<&'a [Row]>,
+    x: &'a mut [Words],
+    y: Option<&'a [Words]>,
     scale: Row,
 }
 
@@ -82,13 +90,15 @@ impl Task for Pointwise<'_> {
     fn run(self, fused: bool) {
         match self.y {
             None => {
-                for x in self.x {
-                    *x = x.times(self.scale, fused).times(*x, fused);
+                for words in self.x {
+                    let x = Row::load(words);
+                    x.times(self.scale, fused).times(x, fused).store(words);
                 }
             }
             Some(y) => {
-                for (x, y) in self.x.iter_mut().zip(y) {
-                    *x = x.times(self.scale, fused).times(*y, fused);
+                for (words, y) in self.x.iter_mut().zip(y) {
+                    let x = Row::load(words).times(self.scale, fused);
+                    x.times(Row::load(y), fused).store(words);
                 }
             }
         }
@@ -104,25 +114,55 @@ fn in_parts(short: &[u64], long: &[u64], most: usize) -> Vec<u64> {
     sum
 }
 
-/// `a*b`, or `a*a` where `b` is `None`; both nonempty.
+/// Transforms of as many words have their memory cut to the length of the result. Of shorter ones
+/// the result is copied: memory that is given back whole is there for the next product, without
+/// asking the system. Squares come in rows, each twice as long as the one before, for which its
+/// memory would be too short.
+const CUT: usize = 1 << 21;
+const CUT_SQUARE: usize = 1 << 17;
+
+/// The length of the transforms for a product of so many limbs.
+fn length_for(limbs: usize) -> usize {
+    transform_length((limbs * 64).div_ceil(DIGIT))
+}
+
+/// The words of the transforms of so many factors, with those skipped before the first row.
+fn words(factors: usize, length: usize) -> usize {
+    factors * length * ROW + (ROW - 1)
+}
+
+/// `a*b`, or `a*a` where `b` is `None`; both nonempty. All in the memory of `a`, made longer.
 fn multiply(a: Vec<u64>, b: Option<&[u64]>) -> Vec<u64> {
-    let limbs = a.len() + b.map_or(a.len(), <[u64]>::len);
-    let length = transform_length((limbs * 64).div_ceil(DIGIT));
+    let (limbs, mut buffer) = (a.len() + b.map_or(a.len(), <[u64]>::len), a);
+    let length = length_for(limbs);
     let leaves = length.next_power_of_two();
+    let (used, rows) = (buffer.len(), length * ROW);
+    let factors = if b.is_some() { 2 } else { 1 };
+    buffer.resize(words(factors, length), 0);
+    // Rows do not cross the lines of caches.
+    let skip = buffer.as_ptr().align_offset(size_of::<Words>()) % ROW;
+    let (first, second) = buffer.split_at_mut(skip + rows);
     let twiddles = Twiddles::new(leaves / 2, false);
-    let mut x = spread(&a, length);
-    drop(a);
-    transform(&mut x, &twiddles, false);
+    spread(first, used, skip);
+    let (x, _) = first[skip..].as_chunks_mut();
+    transform(x, &twiddles, false);
     let y = b.map(|b| {
-        let mut y = spread(b, length);
-        transform(&mut y, &twiddles, false);
-        y
+        second[..b.len()].copy_from_slice(b);
+        spread(&mut second[..rows], b.len(), 0);
+        let (y, _) = second[..rows].as_chunks_mut();
+        transform(y, &twiddles, false);
+        &*y
     });
     let scale = Row::of(|p, _| inverse(leaves as u64, p));
-    widest(Pointwise { x: &mut x, y: y.as_deref(), scale });
-    drop(y);
-    transform(&mut x, &Twiddles::new(leaves / 2, true), true);
-    gather(&x, limbs)
+    widest(Pointwise { x, y, scale });
+    transform(x, &Twiddles::new(leaves / 2, true), true);
+    gather(first, limbs, skip);
+    if rows < if factors == 1 { CUT_SQUARE } else { CUT } {
+        return buffer[..limbs].to_vec();
+    }
+    buffer.truncate(limbs);
+    buffer.shrink_to_fit();
+    buffer
 }
 
 #[cfg(test)]
@@ -143,9 +183,10 @@ mod tests {
     #[test]
     fn products_are_those_of_num_bigint() {
         let mut lengths = std::collections::BTreeSet::new();
-        for n in
-            [1usize, 2, 3, 5, 8, 12, 13, 100, 383, 384, 385, 1000, 3000, 3100, 6144, 8000, 9000]
-        {
+        for n in [
+            1usize, 2, 3, 5, 8, 12, 13, 100, 383, 384, 385, 1000, 3000, 3100, 3500, 6144, 8000,
+            9000,
+        ] {
             let all_ones = vec![u64::MAX; n];
             let (a, b) = (random(n, 88172645463325252), random(n.div_ceil(3), 12345));
             for (x, y) in [(&a, &b), (&all_ones, &a), (&all_ones, &all_ones)] {
@@ -162,8 +203,9 @@ mod tests {
                 );
             }
         }
-        assert!(lengths.iter().any(|l| l.is_power_of_two() && *l > 1 << 12));
-        assert!(lengths.iter().any(|l| !l.is_power_of_two() && *l > 1 << 12));
+        for parts in [1, 3, 5] {
+            assert!(lengths.iter().any(|l| l >> l.trailing_zeros() == parts && *l > 1 << 12));
+        }
     }
 
     /// Sparse factors, whose digits are mostly 0, and lengths that differ by far.

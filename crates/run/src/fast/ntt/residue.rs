@@ -87,9 +87,24 @@ impl Lane {
 #[repr(align(32))]
 pub(super) struct Row(pub(super) [f64; 4]);
 
+/// A row in memory, as the bits of its residues: so numbers and rows can take each other's place.
+pub(super) type Words = [u64; 4];
+
 pub(super) const ZERO: Row = Row([0.0; 4]);
 
 impl Row {
+    #[inline(always)]
+    pub(super) fn load(words: &Words) -> Self {
+        let [a, b, c, d] = *words;
+        Self([f64::from_bits(a), f64::from_bits(b), f64::from_bits(c), f64::from_bits(d)])
+    }
+
+    #[inline(always)]
+    pub(super) fn store(self, words: &mut Words) {
+        let [a, b, c, d] = self.0;
+        *words = [a.to_bits(), b.to_bits(), c.to_bits(), d.to_bits()];
+    }
+
     /// `f` of each pair of residues.
     #[inline(always)]
     pub(super) fn with(self, other: Self, f: impl Fn(Lane, f64, f64) -> f64) -> Self {

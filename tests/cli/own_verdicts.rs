@@ -47,6 +47,104 @@ fn targets_that_a_step_moves_are_never_reached() {
     assert!(code == 0 && out.contains("converges"), "{out}");
 }
 
+/// Claims up to a step: proved with a certificate where later ones fail, and refuted where those fail too.
+#[test]
+fn claims_are_proved_up_to_a_step() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "agents = \"2..\"\nstart = [\"0 <= x[i] <= 1\"]\nclaims = [\"x[i] <= 3\"]\n\
+                [rules]\nall = \"x + 1/2\"\n";
+    let file = written(&folder, "drifts", text);
+    let out_dir = folder.path().display().to_string();
+    let upto =
+        |steps: &str| run(&["prove", "--protocol", &file, "--steps", steps, "--out", &out_dir]);
+    let (code, out, _) = upto("4");
+    assert!(code == 0 && out.contains("hold at every step up to step 4 from every"), "{out}");
+    let certificate = folder.path().join("drifts.json").display().to_string();
+    assert_eq!(run(&["check", &certificate]).0, 0);
+    let (code, out, _) = upto("5");
+    assert!(code == 1 && out.contains("fails at step 5"), "{out}");
+    let (code, _, err) = upto("150");
+    assert!(code == 2 && err.contains("--steps: `150`: expected less than 150"), "{err}");
+    let (code, _, err) = run(&["prove", "7.2", "--steps", "3"]);
+    assert!(code == 2 && err.contains("--steps: expected --protocol with it"), "{err}");
+}
+
+/// A range so wide that its simple fractions are too many is refuted at an end, at once.
+#[test]
+fn wide_ranges_are_tried_at_their_ends() {
+    let file = "scenarios/own/hasty-coverage.toml";
+    for command in ["prove", "refute"] {
+        let (code, out, err) = run(&[command, "--protocol", file, "--set", "eps=0..1000000000000"]);
+        assert_eq!((code, err.as_str()), (1, ""), "{out}");
+        assert!(out.contains("refuted at eps = 1000000000000: "), "{out}");
+    }
+    let args = ["refute", "--protocol", file, "--set", "eps=0..1000000", "--denominators", "3"];
+    let (code, _, err) = run(&args);
+    assert!(code == 2 && err.contains("--denominators: `3`: more than 2000"), "{err}");
+}
+
+/// Numbers of 2,000 digits end soon, and are not spelled out in the heading.
+#[test]
+fn long_weights_end_soon() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string("scenarios/own/weighted-coverage.toml").unwrap();
+    let long = text.replace("eps/2*", &format!("1/{}*", "3".repeat(2_000)));
+    assert_ne!(text, long);
+    let file = written(&folder, "long", &long);
+    let (code, out, _) = run(&["prove", "--protocol", &file]);
+    assert_eq!(code, 3, "{out}");
+    assert!(out.contains("longer numbers than a certificate may have"), "{out}");
+    let (_, out, _) =
+        run(&["theorems", "--protocol", &file, "--set", &format!("eps=1/{}", "7".repeat(900))]);
+    assert!(out.contains("eps = 1/77777777777777777777777777777777777777...\n"), "{out}");
+}
+
+/// Both sides of a bracket are certified, and the certificates are written.
+#[test]
+fn a_bracket_writes_the_certificates_of_both_sides() {
+    let folder = tempfile::tempdir().unwrap();
+    let out_dir = folder.path().display().to_string();
+    let mut checked = 0;
+    for (name, more) in [
+        ("weighted-coverage", &["--set", "eps=0..1", "--digits", "2"][..]),
+        ("digraph", &["--set", "eps=1/10..2", "--property", "convergence", "--digits", "2"][..]),
+    ] {
+        let file = format!("scenarios/own/{name}.toml");
+        let args = [&["threshold", "--protocol", &file, "--out", &out_dir][..], more].concat();
+        let (code, out, _) = run(&args);
+        assert_eq!(code, 0, "{out}");
+        for side in ["holds", "fails"] {
+            let path = folder.path().join(format!("{name}-{side}.json")).display().to_string();
+            assert!(out.contains(&format!("  wrote {path}\n")), "{out}");
+            assert_eq!(run(&["check", &path]).0, 0, "{path}");
+            checked += 1;
+        }
+    }
+    assert_eq!(checked, 4);
+}
+
+/// `--protocol` takes names and files alike: what is wrong about one is said.
+#[test]
+fn names_of_protocols_are_told_from_files() {
+    let (code, _, err) = run(&["prove", "--protocol", "coverage"]);
+    assert!(code == 2 && err.contains("`coverage`: expected a protocol file here"), "{err}");
+    let (code, _, err) = run(&["trace", "--protocol", "covrage"]);
+    assert!(code == 2 && err.contains("`covrage` is unknown: expected `coverage`"), "{err}");
+}
+
+/// A claim that the start says only link by link is not shown for every number of agents: that is said.
+#[test]
+fn what_the_start_does_not_say_of_every_agent_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string("scenarios/own/coverage.toml").unwrap();
+    let bounds = "0 <= x[i] <= 1";
+    let less = text.replacen(&format!(", \"{bounds}\""), "", 1);
+    assert!(text != less && less.contains(bounds));
+    let file = written(&folder, "less", &less);
+    let (code, out, _) = run(&["prove", "--protocol", &file]);
+    assert!(code == 3 && out.contains("expected it there too"), "{out}");
+}
+
 /// The search for a proof may go further back than that for the smallest counterexample.
 #[test]
 fn what_the_search_for_a_proof_refutes_is_shown() {

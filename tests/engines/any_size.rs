@@ -166,7 +166,9 @@ fn what_the_strategy_does_not_read_is_named() {
 fn what_is_proved_of_several_claims_is_concluded() {
     let both = family(false, ["0", "1/2"], &COVERAGE, &BOX, &[BOX[0], WEAK, BOX[1]]);
     let found = any_size(&both).unwrap();
-    assert_eq!(found.open, [(1, "no induction over the steps was found".to_owned())]);
+    // It does not hold of all of these starts either.
+    let [(1, why)] = found.open.as_slice() else { panic!("{:?}", found.open) };
+    assert!(why.starts_with("it does not follow of the start"), "{why}");
     let certificate = found.certificate.unwrap();
     let verdict = cordon_check::check(&certificate.to_string()).to_string();
     assert!(verdict.contains("x(k,i)") && !verdict.contains("x(k,1 + i) >= x(k,i)"), "{verdict}");

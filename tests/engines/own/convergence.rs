@@ -5,7 +5,7 @@ use crate::common::q;
 use cordon_core::Rational;
 use cordon_proof::claims::converge;
 use cordon_proof::claims::settle::settles;
-use cordon_proof::claims::threshold::{Known, Property, WORK, critical, decided};
+use cordon_proof::claims::threshold::{Known, Property, WORK, critical, decided, with};
 use num_traits::{Signed, Zero};
 
 #[test]
@@ -29,6 +29,46 @@ fn critical_values_are_bracketed_from_both_sides() {
     let found = found.unwrap();
     assert!(found.holds < q("2/3") && q("2/3") <= found.fails, "{found:?}");
     assert!(&found.fails - &found.holds <= q("1/100"), "{found:?}");
+}
+
+/// At the critical value what turns is kept by a form that need not be a square: on a line of three with damping
+/// 1/4 eigenvalues have the product 1/4 + 3g/25, which is 1 at g = 25/4; with five and damping 3/10 all pairs reach
+/// the unit circle at gain 30, each at another angle.
+#[test]
+fn convergence_is_decided_up_to_the_critical_value_and_at_it() {
+    let three = "agents = 3\nstate = \"x, v\"\ntopology = \"line\"\nconverges = \"agreement\"\n\
+                 [parameters]\ng = \"1/4..30\"\n[rules]\n\
+                 all = { x = \"x + v/5\", v = \"v + g/5*sum(their.x - x) + 1/4*sum(their.v - v)\" }\n";
+    let mut five = own("second-order", None);
+    five.parameters[0].high = q("40");
+    for (system, critical_value) in [(system(three), "25/4"), (five, "30")] {
+        let (found, _) = critical(&system, 0, Property::Convergence, 4, WORK).unwrap();
+        let found = found.unwrap();
+        assert!(found.open.is_none() && !found.used_up, "{found:?}");
+        assert!(found.holds < q(critical_value) && q(critical_value) <= found.fails);
+        assert!(&found.fails - &found.holds <= q("1/10000"));
+        assert!(found.certificates.iter().all(|c| is_valid(c.as_ref().unwrap())));
+        let at = with(&system, 0, &q(critical_value));
+        let known = decided(&at, Property::Convergence, &mut 0).unwrap().known;
+        assert_eq!(known, Known::Fails, "{critical_value}");
+    }
+}
+
+/// Starts without bounds, which have no part along the direction that is found first.
+#[test]
+fn a_start_that_grows_is_found_among_starts_without_bounds() {
+    let text = |e: &str| {
+        format!(
+            "agents = 3\ntopology = \"ring\"\nstart = [\"sum(x) = 1\", \"x0 = x1\"]\n\
+             converges = \"agreement\"\n[rules]\nall = \"x + {e}*sum(their.x - x)\"\n"
+        )
+    };
+    // The factor 1 - 3e.
+    for (e, known) in [("1/2", Known::Holds), ("2/3", Known::Fails), ("9/10", Known::Fails)] {
+        let found = decided(&system(&text(e)), Property::Convergence, &mut 0).unwrap();
+        assert_eq!(found.known, known, "{e}");
+        assert!(is_valid(&found.certificate.unwrap()), "{e}");
+    }
 }
 
 /// Two modes without a common form have one for each; a form for each settles as one does.

@@ -5,6 +5,7 @@ use cordon_check::expr::{Literal, Relation, Sort};
 use cordon_check::format::{Linear, Positivity, Proof};
 use cordon_check::kernel::{Clause, Kernel};
 use cordon_check::linear::System;
+use cordon_check::matrix::definite;
 use cordon_check::number::{MAX_NUMBER, MAX_WORK, Number, charge, done, exhausted, refill, spend};
 use cordon_check::poly::Poly;
 use cordon_spec::{Ordered, Scalar};
@@ -85,6 +86,17 @@ fn a_copy_costs_its_atoms() {
     assert_eq!(f.size(), 5);
     assert_eq!(cost(|| b.clone() + &f), 128 * 5);
     assert_eq!(cost(|| f.clone() * &f), 128 * (1 + 8 + 1));
+    // Where nothing is put into the places of atoms, itself and its term are copied.
+    assert_eq!(cost(|| f.with(&|_| None)), 128 * (5 + 3));
+}
+
+#[test]
+fn entries_of_an_elimination_stay_short() {
+    // Hilbert's matrix, definite by little. Without the division entries would double in length from row to row.
+    let entry = |i: i64, j| Number::whole(1).over(&Number::whole(i + j + 1)).unwrap();
+    let hilbert: Vec<Vec<Number>> =
+        (0..20).map(|i| (0..20).map(|j| entry(i, j)).collect()).collect();
+    assert!(cost(|| assert!(definite(&hilbert, true))) < 2_000_000, "{}", done());
 }
 
 #[test]

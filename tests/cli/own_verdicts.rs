@@ -132,6 +132,18 @@ fn names_of_protocols_are_told_from_files() {
     assert!(code == 2 && err.contains("`covrage` is unknown: expected `coverage`"), "{err}");
 }
 
+/// Of many choices in a step each is shown, below the states.
+#[test]
+fn many_choices_stand_below_the_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string("scenarios/own/coverage.toml").unwrap();
+    let late = text.replace("3..", "4..") + "\n[departures]\nloss = \"one-sided\"\ndelay = 1\n";
+    let file = written(&folder, "late", &late);
+    let (code, out, _) = run(&["refute", "--protocol", &file, "--set", "eps=1"]);
+    assert_eq!(code, 1, "{out}");
+    assert!(out.contains("\n  step 1 by link1from0 = ") && out.contains("x1ago1"), "{out}");
+}
+
 /// A claim that the start says only link by link is not shown for every number of agents: that is said.
 #[test]
 fn what_the_start_does_not_say_of_every_agent_is_named() {

@@ -164,15 +164,20 @@ fn is_short(run: &Run) -> bool {
     run.states.iter().flatten().all(|x| fraction(x).len() <= MOST_CHARACTERS)
 }
 
+/// Most characters of what is chosen in a step that are shown beside the state; more stand below the table.
+const MOST_BESIDE: usize = 100;
+
 /// The run as a table: a line a step, with what was chosen in it.
 fn shown(system: &System, run: &Run, out: &mut dyn Write) -> Result<()> {
-    let by = has_choices(system).then(|| "by".to_owned());
+    let chosen: Vec<String> = run.choices.iter().map(|c| choice_text(system, c)).collect();
+    let is_beside = has_choices(system) && chosen.iter().all(|c| c.len() <= MOST_BESIDE);
+    let by = is_beside.then(|| "by".to_owned());
     let head = ["step".to_owned()].into_iter().chain(system.state.clone()).chain(by).collect();
     let is_short = is_short(run);
     let number = |x: &Rational| if is_short { fraction(x) } else { decimal_string(x, DIGITS) };
     let row = |(k, state): (usize, &Vec<Rational>)| {
-        let choice = k.checked_sub(1).and_then(|before| run.choices.get(before));
-        let choice = choice.filter(|_| has_choices(system)).map(|c| choice_text(system, c));
+        let choice = k.checked_sub(1).and_then(|before| chosen.get(before)).cloned();
+        let choice = choice.filter(|_| is_beside);
         [k.to_string()].into_iter().chain(state.iter().map(number)).chain(choice).collect()
     };
     // What the claim speaks of, and what was chosen, is shown in any case.
@@ -182,7 +187,13 @@ fn shown(system: &System, run: &Run, out: &mut dyn Write) -> Result<()> {
     let spoken_of = spoken_of.filter(|(_, a)| !a.is_zero()).map(|(j, _)| j + 1);
     let kept: Vec<usize> = spoken_of.chain([by]).collect();
     let states = run.states.iter().enumerate().map(row).collect();
-    table::run(head, states, &kept, |column| column == by, out)
+    table::run(head, states, &kept, |column| column == by, out)?;
+    if has_choices(system) && !is_beside {
+        for (choice, step) in chosen.iter().zip(1..) {
+            writeln!(out, "  step {step} by {choice}")?;
+        }
+    }
+    Ok(())
 }
 
 /// What is chosen in a step: `up, link0with1 = 0`.

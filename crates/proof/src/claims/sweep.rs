@@ -151,15 +151,16 @@ fn starts(system: &System, parts: u32) -> Result<Vec<Vec<Rational>>> {
         };
         ranges.push([-low, high]);
     }
-    // Where each assumption bounds one variable the inner points are starts: how many, is known at once.
+    // Where each assumption bounds one variable, ends excluded or not, it is known at once how many starts there are
+    // at least.
     let bounds_one = |c: &Constraint| {
         c.form.parts().is_some_and(|(_, a)| a.iter().filter(|a| !a.is_zero()).count() <= 1)
     };
-    let inner = ranges
-        .iter()
-        .filter(|[low, high]| low != high)
-        .fold(1_usize, |count, _| count.saturating_mul(parts.saturating_sub(1) as usize));
-    if inner > MOST_STARTS && constraints.iter().all(bounds_one) {
+    let is_strict = constraints.iter().any(|c| c.sign == Sign::Positive);
+    let inside = if is_strict { parts.saturating_sub(1) } else { parts.saturating_add(1) } as usize;
+    let wide = ranges.iter().filter(|[low, high]| low != high);
+    let least = wide.fold(1_usize, |count, _| count.saturating_mul(inside));
+    if least > MOST_STARTS && constraints.iter().all(bounds_one) {
         return Err(too_many());
     }
     let (chosen, found, left) = (Vec::new(), Vec::new(), MOST_COMPARISONS);

@@ -9,7 +9,7 @@ pub struct Limits {
     pub steps: usize,
     /// Most half-spaces of an invariant beside the claims and what is assumed of the start.
     pub half_spaces: usize,
-    /// Most work in linear programs, in the unit of [`Work`].
+    /// Most work in linear programs, in the unit of [`Work`](cordon_core::simplex::Work).
     pub work: u64,
 }
 

@@ -375,8 +375,8 @@ lemma A(i s:real) i: i >= 0, s: s*s = 1 |- @f(g(i,0), i+1) >= @half
       h = B(i=i, j=x(i,0); i=[i] + 1)
     split q = i - 1
       h = B()
-      absurd 1
-      by 2
+      absurd [h]
+      by 2*[g]
         g = C
       by [h]
 ";
@@ -395,8 +395,9 @@ lemma A(i s:real) i: i >= 0, s: s*s = 1 |- @f(g(i,0), i+1) >= @half
             "q",
             "i - 1",
             [
-                absurd_times(&[], std::slice::from_ref(&h), "1"),
-                positivity_times(&[], &[h.clone(), g], "2"),
+                absurd_times(&[], std::slice::from_ref(&h), "[h]"),
+                // Nobody reads h.
+                positivity_times(&[], &[g], "2*[g]"),
                 positivity_times(&[], &[h], "[h]"),
             ],
         );
@@ -410,8 +411,8 @@ lemma A(i s:real) i: i >= 0, s: s*s = 1 |- @f(g(i,0), i+1) >= @half
             ("@f(g(i,0), i+1)", "@f(i)", "@f: expected 2 arguments"),
             ("|-", "->", "expected `|- `"),
             ("lemma", "axiom", "expected let, function, constant"),
-            ("      absurd 1\n", "", "no rule with such branches"),
-            ("        g = C\n", "        by 3\n", "`by 2`: no rule"),
+            ("      absurd [h]\n", "", "no rule with such branches"),
+            ("        g = C\n", "        by 3\n", "`by 2*[g]`: no rule"),
             ("    by [b]", "    by [b]\n    by 1", "no rule with such branches"),
         ] {
             let said = read(&SCRIPT.replacen(from, to, 1)).unwrap_err();

@@ -117,11 +117,30 @@ def multiplication(rows):
                for _ in range(3))
     print(f"\nOne GMP multiplication of two integers as long as the answer of N = {n}, k = {k:,} "
           f"({bits / 1e6:.0f} Mbit, numerators and denominators) takes {unit:.2g} s:")
-    for name in ("Cordon, jump", "Cordon, jump over GMP"):
-        if name in rows:
-            less = rows[name][n, k // 10]
-            print(f"{name}: {rows[name][n, k] / unit:.2g} such multiplications; from k = {k // 10:,} "
-                  f"to {k:,} its time grows {rows[name][n, k] / less:.2g} times.")
+    jump, less = rows["Cordon, jump"][n, k], rows["Cordon, jump"][n, k // 10]
+    print(f"Cordon, jump: {jump / unit:.2g} such multiplications; from k = {k // 10:,} to {k:,} its time grows {jump / less:.2g} times.")
+
+
+# Bits of both factors.
+PRODUCTS = [500_000, 1_000_000, 2_500_000, 5_000_000, 10_000_000, 20_000_000, 43_000_000]
+
+
+def products():
+    """Milliseconds of one product, the least of three processes, those of the programs in turn."""
+    programs = [("Cordon", "product"), ("FLINT's `fft_small`", "fft_small"), ("GMP", "multiply")]
+    programs = [(name, path) for name, path in programs if installed([os.path.join(BUILD, path)])]
+    least = {}
+    for bits in PRODUCTS:
+        for _ in range(3):
+            for name, path in programs:
+                done = subprocess.run([os.path.join(BUILD, path), str(bits)], capture_output=True, text=True, check=True)
+                least[name, bits] = min(least.get((name, bits), float("inf")), float(done.stdout))
+    print("| one product, milliseconds (ratio to Cordon's) | "
+          + " | ".join(f"{bits / 1e6:g} Mbit" for bits in PRODUCTS) + " |")
+    print("|---|" + "---|" * len(PRODUCTS))
+    for name, _ in programs:
+        cells = [f"{least[name, bits] * 1e3:.3g} ({least[name, bits] / least['Cordon', bits]:.2g}x)" for bits in PRODUCTS]
+        print(f"| {name} | " + " | ".join(cells) + " |")
 
 
 def whole_processes():
@@ -249,6 +268,7 @@ def write_to_readme(name, text):
 
 TABLES = {
     "exact": lambda: multiplication(exact_table()),
+    "products": products,
     "processes": whole_processes,
     "co-simulation": co_simulation,
     "sweeps": sweeps,

@@ -2,6 +2,7 @@
 //!
 //! stdout carries the result only; progress and diagnostics go to stderr.
 
+mod certificates;
 mod check;
 mod choice;
 mod cosim;

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use num_traits::{One, Signed};
 use serde_json::{Value, json};
 
+use super::certificates;
 use super::own_protocol;
 use super::progress;
 use super::scenario_args::positions;
@@ -102,13 +103,8 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     if let Some(certificate) = &certificate {
         certificate::judged(certificate)?;
     }
-    let file = match (&args.out, &certificate) {
-        (Some(folder), Some(c)) => {
-            let name = format!("{name}-{}", args.drones());
-            Some(certificate::write(folder, &name, c)?.display().to_string())
-        }
-        _ => None,
-    };
+    let named = certificate.map(|c| (format!("{name}-{}", args.drones()), c));
+    let files = certificates::written(args.out.as_deref(), named)?;
     match args.format {
         OutputFormat::Text => {
             let which = if args.start.is_some() { "this start" } else { "every start in [0, 1]" };
@@ -120,9 +116,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
                 fraction(&within)
             )?;
             text(args, &found, out)?;
-            if let Some(file) = &file {
-                writeln!(out, "  wrote   {file}")?;
-            }
+            certificates::list("wrote   ", &files, out)?;
         }
         OutputFormat::Json => {
             let page = json!({
@@ -132,7 +126,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
                 "within": fraction(&within),
                 "start": args.start.as_ref().map_or("every", |_| "given"),
                 "result": as_json(&found),
-                "file": file,
+                "file": files.first(),
             });
             writeln!(out, "{page:#}")?;
         }

@@ -104,6 +104,11 @@ pub fn placements(run: &[Vec<Rational>], out: &mut dyn Write) -> Result<()> {
     self::run(head, run.iter().enumerate().map(row).collect(), &[], |_| false, out)
 }
 
+/// A number of things: `1 half-space`, `2 half-spaces`.
+pub fn counted(number: usize, thing: &str) -> String {
+    format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
+}
+
 /// Writes a run, a row a state: of long ones the ends, of wide ones the columns that fit: the first, `kept`,
 /// those beside `kept`, and from the left on. Columns are aligned to the right, but for those of `left`.
 ///

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::page::Page;
-use super::show::counted;
+use crate::cli::table::counted;
 use cordon_core::exact::shortened;
 use cordon_core::system::System;
 use cordon_core::{Evidence, Result};

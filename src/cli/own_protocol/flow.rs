@@ -7,8 +7,9 @@ use serde_json::{Value, json};
 
 use super::ProtocolArgs;
 use super::page::Page;
-use super::show::{counted, headline_in};
+use super::show::headline_in;
 use crate::cli::select::OutputFormat;
+use crate::cli::table::counted;
 use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::system::{Flow, Switching};
 use cordon_core::{Evidence, Outcome, Result};

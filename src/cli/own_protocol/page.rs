@@ -9,11 +9,11 @@ use serde_json::{Value, json};
 
 use super::ProtocolArgs;
 use super::show::headline;
+use crate::cli::certificates;
 use crate::cli::select::OutputFormat;
 use cordon_core::Result;
 use cordon_core::exact::fraction;
 use cordon_core::system::{Parameter, System};
-use cordon_proof::certificate;
 
 /// The schema of these commands' JSON.
 const SCHEMA: &str = "cordon-own-protocol/2";
@@ -90,11 +90,12 @@ impl<'o> Page<'o> {
 
     /// Writes a certificate, if certificates are wanted, and says so; its file.
     pub fn certificate(&mut self, what: &str, certificate: &Value) -> Result<Option<String>> {
-        let Some(folder) = self.folder else { return Ok(None) };
-        let path = certificate::write(folder, &format!("{}{what}", self.stem), certificate)?;
-        let file = path.display().to_string();
-        self.line(format_args!("  wrote {file}"))?;
-        Ok(Some(file))
+        let named = (format!("{}{what}", self.stem), certificate);
+        let files = certificates::written(self.folder, [named])?;
+        if let Some(out) = self.text() {
+            certificates::list("wrote ", &files, out)?;
+        }
+        Ok(files.into_iter().next())
     }
 
     /// Ends the page.

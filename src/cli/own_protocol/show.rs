@@ -5,6 +5,7 @@ use cordon_core::exact::{fraction, shortened};
 use cordon_core::system::{Claim, Parameter, ParameterKind, Schedule, System};
 
 use super::abridged_words;
+use crate::cli::table::counted;
 
 /// A number that may be long, for people.
 fn number(x: &Rational) -> String {
@@ -84,9 +85,4 @@ pub fn when(claim: &Claim) -> String {
     let from = if claim.from > 0 { format!(", from step {}", claim.from) } else { String::new() };
     let until = claim.until.map_or_else(String::new, |last| format!(", until step {last}"));
     from + &until
-}
-
-/// A number of things: `1 half-space`, `2 half-spaces`.
-pub fn counted(number: usize, thing: &str) -> String {
-    format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
 }

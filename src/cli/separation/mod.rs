@@ -14,6 +14,7 @@ use self::gaps::{Gap, smallest};
 use super::cosim::FlightArgs;
 use super::scenario_args::ScenarioArgs;
 use super::select::OutputFormat;
+use crate::cli::certificates;
 use cordon_core::{Error, Evidence, Outcome, Rational, Result, exact};
 use cordon_cosim::closed_loop::{ClosedLoop, Tuning};
 use cordon_cosim::coordination::Exchange;
@@ -88,13 +89,8 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     }
     expect_exact(&swarm)?;
     args.scenario.in_file(applies(&swarm))?;
-    let Judged { mut report, certificates } = judged(&swarm, wind)?;
-    if let Some(folder) = &args.out {
-        for (name, page) in &certificates {
-            let path = certificate::write(folder, name, page)?;
-            report.files.push(path.display().to_string());
-        }
-    }
+    let Judged { mut report, certificates: pages } = judged(&swarm, wind)?;
+    report.files = certificates::written(args.out.as_deref(), pages)?;
     match args.format {
         OutputFormat::Text => show::text(&report, out)?,
         OutputFormat::Json => writeln!(out, "{:#}", show::json(&report))?,

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::gaps::most_weight;
 use super::{Flight, Report};
+use crate::cli::certificates;
 use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::{Rational, Result};
 use cordon_cosim::plant::Integrator;
@@ -96,13 +97,9 @@ pub(super) fn text(report: &Report<'_>, out: &mut dyn Write) -> Result<()> {
     }
     let number = report.certificates;
     if number > 0 {
-        let s = if number == 1 { "" } else { "s" };
-        writeln!(out, "  checked  {number} certificate{s} accepted by the independent checker")?;
+        writeln!(out, "  checked  {}", certificates::accepted(number))?;
     }
-    for file in &report.files {
-        writeln!(out, "  wrote    {file}")?;
-    }
-    Ok(())
+    certificates::list("wrote    ", &report.files, out)
 }
 
 fn flight(report: &Report<'_>, out: &mut dyn Write) -> Result<()> {

@@ -6,13 +6,13 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::response;
+use crate::cli::certificates;
 use crate::cli::select::OutputFormat;
 use cordon_core::exact::{decimal_string, fraction, parse};
 use cordon_core::{Error, Evidence, Outcome, Rational, Result};
 use cordon_cosim::closed_loop::{ClosedLoop, Tuning};
 use cordon_cosim::master::Algorithm;
 use cordon_cosim::plant::Integrator;
-use cordon_proof::certificate;
 use cordon_proof::threshold::separation::{Bracket, Side, bracket};
 use num_traits::Signed;
 
@@ -105,12 +105,8 @@ pub(in crate::cli) fn run(
         ("separation-below", found.below.as_ref().map(|side| &side.certificate)),
         ("separation-above", found.above.as_ref().map(|side| &side.certificate)),
     ];
-    let mut files = Vec::new();
-    if let Some(folder) = folder {
-        for (name, page) in pages.iter().filter_map(|(name, page)| Some((name, (*page)?))) {
-            files.push(certificate::write(folder, name, page)?.display().to_string());
-        }
-    }
+    let pages = pages.into_iter().filter_map(|(name, page)| Some((name, page?)));
+    let files = certificates::written(folder, pages)?;
     match format {
         OutputFormat::Text => text(&tuning, digits, &found, &files, out)?,
         OutputFormat::Json => writeln!(out, "{:#}", as_json(&tuning, digits, &found, &files))?,
@@ -157,12 +153,8 @@ fn text(
         None => writeln!(out, "  above  no gain was found at which a sample is negative")?,
     }
     let number = [found.below.is_some(), found.above.is_some()].iter().filter(|x| **x).count();
-    let certificates = if number == 1 { "certificate" } else { "certificates" };
-    writeln!(out, "  checked: {number} {certificates} accepted by the independent checker")?;
-    for file in files {
-        writeln!(out, "  wrote  {file}")?;
-    }
-    Ok(())
+    writeln!(out, "  checked: {}", certificates::accepted(number))?;
+    certificates::list("wrote  ", files, out)
 }
 
 fn as_json(tuning: &Tuning, digits: usize, found: &Bracket, files: &[String]) -> Value {

@@ -5,7 +5,8 @@ use std::io::Write;
 
 use serde_json::json;
 
-use super::{Args, Named, judged_and_written, list_files};
+use super::{Args, judged_and_written, list_files};
+use crate::cli::certificates::Named;
 use crate::cli::select::OutputFormat;
 use crate::cli::table;
 use cordon_core::exact::{decimal_string, fraction};

@@ -6,8 +6,9 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use num_traits::One;
-use serde_json::{Value, json};
+use serde_json::json;
 
+use super::certificates::{self, Named};
 use super::own_protocol;
 use super::select::OutputFormat;
 use super::separation::threshold::{self as separation, LoopArgs};
@@ -79,9 +80,6 @@ impl Property {
 
 /// Most drones for which the start is written out in the text.
 const READABLE: usize = 12;
-
-/// A certificate with the name of its file.
-type Named = (String, Value);
 
 /// Finds the critical weight or parameter.
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
@@ -233,8 +231,7 @@ fn certified(number: usize, drones: usize) -> String {
             invariance::MOST
         );
     }
-    let certificates = if number == 1 { "certificate" } else { "certificates" };
-    format!("  checked: {number} {certificates} accepted by the independent checker")
+    format!("  checked: {}", certificates::accepted(number))
 }
 
 fn keep_text(args: &Args, found: &Critical, out: &mut dyn Write) -> Result<()> {
@@ -373,27 +370,19 @@ impl Args {
 }
 
 /// Has the certificates checked and writes them; returns the files.
-fn judged_and_written(args: &Args, certificates: &[Named]) -> Result<Vec<String>> {
-    for (_, found) in certificates {
+fn judged_and_written(args: &Args, all: &[Named]) -> Result<Vec<String>> {
+    for (_, found) in all {
         certificate::judged(found)?;
         progress::advance(1);
     }
-    let Some(folder) = &args.out else {
-        return Ok(Vec::new());
-    };
-    let files = certificates
-        .iter()
-        .map(|(name, c)| Ok(certificate::write(folder, name, c)?.display().to_string()));
-    files.collect()
+    certificates::written(args.out.as_deref(), all.iter().map(|(name, c)| (name, c)))
 }
 
 fn list_files(args: &Args, files: &[String], out: &mut dyn Write) -> Result<()> {
-    if args.format == OutputFormat::Text {
-        for file in files {
-            writeln!(out, "  wrote  {file}")?;
-        }
+    match args.format {
+        OutputFormat::Text => certificates::list("wrote  ", files, out),
+        OutputFormat::Json => Ok(()),
     }
-    Ok(())
 }
 
 fn not_found(out: &mut dyn Write) -> Result<Outcome> {

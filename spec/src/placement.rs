@@ -50,7 +50,8 @@ pub fn scaled_target<S: Scalar>(min: &S, max: &S, count: usize, i: usize) -> S {
 #[cfg_attr(feature = "contracts", requires(exact::<S>() && i@ < x@.len()))]
 #[cfg_attr(feature = "contracts", ensures(result.model() == error(min.model(), max.model(), reals(x@), i@)))]
 pub fn scaled_error<S: Scalar>(min: &S, max: &S, x: &[S], i: usize) -> S {
-    scaled_target(min, max, x.len(), i) - &(gaps(x) * &x[i])
+    // Target less position, with the two products by N-1 in one.
+    gaps::<S>(x) * &(min.clone() - &x[i]) + &(S::from_index(i) * &(max.clone() - min))
 }
 
 /// `(N-1)^2` times the sum of the squared errors: zero exactly at the targets.

@@ -15,7 +15,6 @@ use crate::source::{Case, Source, Witness};
 const FUNCTIONS: &[&str] = &[
     "placement::gaps",
     "placement::scaled_error",
-    "placement::scaled_target",
     "theorems::hypothesis::upper_bounded",
     "theorems::upper_bound::above_targets",
     "theorems::upper_bound::conclusion",

@@ -34,7 +34,8 @@ pub struct Args {
     /// Number of drones: one N from 3 to 1000000, or every N
     #[arg(long, value_name = "N|any", default_value = "any", conflicts_with = "protocol")]
     pub drones: String,
-    /// With --protocol: the claims up to this step only
+    /// With --protocol: the claims up to this step only, 0 to 149; of a protocol for any number of agents, with
+    /// --agents or the fewest
     #[arg(long, value_name = "K", help_heading = "Own protocol")]
     pub steps: Option<usize>,
     /// Folder to write the certificates to

@@ -143,6 +143,11 @@ impl ProtocolArgs {
         if last >= most {
             return Err(Error::input(format!("steps: `{last}`: expected less than {most}")));
         }
+        if system.claims.is_empty() {
+            return Err(Error::input(
+                "steps: expected `claims` in the protocol file: it has `converges` only",
+            ));
+        }
         system.claims.retain(|claim| claim.from <= last);
         if system.claims.is_empty() {
             return Err(Error::input(format!(

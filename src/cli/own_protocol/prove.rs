@@ -103,9 +103,14 @@ fn proved(found: &Proved, certificate: &Value, page: &mut Page<'_>) -> Result<Va
     let claimed = found.proof.rows.iter().filter(|r| r.claim.is_some()).count();
     let steps = claimed_steps(&found.system);
     page.line(format_args!("  proved: the claims hold at {steps} from every assumed start"))?;
+    let last = found.system.claims.iter().map(|claim| claim.until).max().flatten();
+    let kept = match last.filter(|_| found.system.claims.iter().all(|c| c.until.is_some())) {
+        Some(0) => String::new(),
+        Some(last) => format!(", every step up to step {last} keeps them"),
+        None => ", every step keeps them".to_owned(),
+    };
     page.line(format_args!(
-        "  {}: {}, {claimed} of them claimed; the start meets them, every step keeps them, at the ends of all \
-         ranges and so between",
+        "  {}: {}, {claimed} of them claimed; the start meets them{kept}, at the ends of all ranges and so between",
         Evidence::Certified,
         counted(rows, "half-space"),
     ))?;

@@ -139,13 +139,13 @@ fn bracketed(
     page.line(format_args!("  fails  {}: {by}", at(&found.fails)))?;
     if let Some(open) = &found.open {
         page.line(format_args!(
-            "  open   {}: neither was found there, so that the bracket stays as wide",
+            "  open   {}: neither was found there, so the bracket ends here",
             at(open)
         ))?;
     }
     if found.used_up {
         page.line(
-            "  (near the critical value searches are long: their work is used up, so that the bracket stays as wide)",
+            "  (near the critical value searches are long: the work allowed for them is used up)",
         )?;
     }
     Ok(())

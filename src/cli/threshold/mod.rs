@@ -38,7 +38,7 @@ pub struct Args {
     /// With ordering: each drone may see each neighbour up to this many steps late, or a range
     #[arg(long, value_name = "D|LO..HI", conflicts_with = "protocol")]
     delay: Option<String>,
-    /// Decimal places of the bracket, 1 to 1000 [default: 10, with --protocol 4; separation: 1 to 4, 2;
+    /// Decimal places of the bracket, 1 to 1000 [default: 10; with --protocol: 1 to 50, 4; separation: 1 to 4, 2;
     /// with --delay: 1 to 4, 2]
     #[arg(long, value_name = "D")]
     digits: Option<usize>,
@@ -173,9 +173,9 @@ fn own(args: &Args, system: &System, out: &mut dyn Write) -> Result<Outcome> {
         }
     };
     let digits = args.digits.unwrap_or(4);
-    if digits > MOST_OWN_DIGITS {
+    if !(1..=MOST_OWN_DIGITS).contains(&digits) {
         return Err(Error::input(format!(
-            "digits: `{digits}`: expected at most {MOST_OWN_DIGITS} with --protocol"
+            "digits: `{digits}`: expected a number from 1 to {MOST_OWN_DIGITS} with --protocol"
         )));
     }
     let asked = own_protocol::Asked {

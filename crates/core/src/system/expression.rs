@@ -390,7 +390,17 @@ impl<'t> Parser<'t> {
         let rest = self.rest();
         let starts_number = rest.starts_with(|c: char| c.is_ascii_digit() || c == '.');
         let ends = |c: char| !(c.is_ascii_alphanumeric() || (starts_number && c == '.'));
-        let word = rest.get(..rest.find(ends).unwrap_or(rest.len())).unwrap_or_default();
+        let mut length = rest.find(ends).unwrap_or(rest.len());
+        // The sign of an exponent belongs to the number: `1e-5`.
+        if starts_number
+            && let Some((_, exponent)) = rest.split_at_checked(length)
+            && rest.get(..length).is_some_and(|word| word.ends_with(['e', 'E']))
+            && let Some(digits) = exponent.strip_prefix(['+', '-'])
+        {
+            let is_other = |c: char| !c.is_ascii_digit();
+            length += 1 + digits.find(is_other).unwrap_or(digits.len());
+        }
+        let word = rest.get(..length).unwrap_or_default();
         if starts_number {
             let number =
                 exact::parse("number", word).map_err(|_| self.fault("expected a number"))?;
@@ -422,5 +432,25 @@ impl<'t> Parser<'t> {
             Node::Name(word.to_owned())
         };
         Ok(Expression { node, at })
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_may_have_exponents() {
+        let parsed = |text: &str| Expression::parse(text).map(|e| e.node);
+        for (text, p, q) in [("1e5", 100_000, 1), ("1e-5", 1, 100_000), ("2.5E+1", 25, 1)] {
+            let Node::Number(x) = parsed(text).unwrap() else { panic!("{text}") };
+            assert_eq!(x, Rational::new(p.into(), q.into()), "{text}");
+        }
+        for text in ["1e-", "1e-x", "1e--5"] {
+            assert!(parsed(text).is_err(), "{text}");
+        }
+        // A name that ends with `e` is no number.
+        assert!(parsed("one-5").is_ok());
     }
 }

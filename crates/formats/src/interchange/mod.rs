@@ -16,7 +16,7 @@ use cordon_cosim::master::Algorithm;
 use cordon_cosim::seat::Seat;
 use cordon_cosim::unit::{Causality, Unit, Value};
 use cordon_cosim::wiring::Port;
-use cordon_run::scenario::UnitName;
+use cordon_run::scenario::{Own, UnitName};
 
 /// Instances of exported units and their connections.
 #[derive(Clone, Debug, PartialEq)]
@@ -177,6 +177,11 @@ fn expect_plain(swarm: &Cosimulation) -> Result<()> {
             substitute.unit.name(),
             substitute.drone
         )));
+    }
+    if swarm.scenario.own().is_some_and(Own::is_drawn) {
+        return Err(Error::input(
+            "seed: choices are drawn anew in each step: expected none: exported units have no random numbers",
+        ));
     }
     if swarm.faults.is_empty() {
         return Ok(());

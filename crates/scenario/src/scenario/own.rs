@@ -110,6 +110,11 @@ impl Own {
         self.values.contains(&None) || self.has_free_modes()
     }
 
+    /// Whether the choices that a step leaves open are drawn at random.
+    pub fn is_drawn(&self) -> bool {
+        self.seed.is_some() && self.has_choices()
+    }
+
     /// Whether any of several modes may act in a step.
     fn has_free_modes(&self) -> bool {
         self.system.schedule == Schedule::Any && self.system.modes.len() > 1
@@ -185,7 +190,7 @@ impl Own {
 
     /// The maps that act in turn; `None` where choices are drawn.
     pub fn cycle(&self) -> Option<Vec<Map>> {
-        if self.seed.is_some() && self.has_choices() {
+        if self.is_drawn() {
             return None;
         }
         let length = match &self.system.schedule {

@@ -131,18 +131,6 @@ impl ScenarioArgs {
         Ok((scenario, flight, places))
     }
 
-    /// Adds the file's name to an error about its content.
-    pub(super) fn in_file<T>(&self, result: Result<T>) -> Result<T> {
-        result.map_err(|e| match (&self.file, e) {
-            (Some(path), Error::Input(message))
-                if !message.starts_with(&*path.to_string_lossy()) =>
-            {
-                Error::input(format!("{}: {message}", path.display()))
-            }
-            (_, e) => e,
-        })
-    }
-
     fn draft(&self) -> Result<Draft> {
         let number = |field: &str, text: &Option<String>| {
             text.as_deref().map(|t| exact::parse(field, t)).transpose()

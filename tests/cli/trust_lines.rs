@@ -52,3 +52,16 @@ fn the_line_counts_in_trust_md_are_true() {
 fn code_lines_are_counted_as_said() {
     assert_eq!(code_lines("//! a\n\nfn f() {\n    // b\n    g(); // c\n}\n"), 3);
 }
+
+/// The sources whose mutants were judged are those of today: else they are to be judged again.
+#[test]
+fn the_judged_sources_are_the_present_ones() {
+    let files = "cat proofs/checker/src/*.rs proofs/checker/src/*/*.rs | sha256sum";
+    let trust = fs::read_to_string("TRUST.md").unwrap();
+    let (said, _) = trust.split_once("... (`cat proofs").expect("a hash and its command");
+    assert!(trust.contains(files), "{files}");
+    let said = said.rsplit(' ').next().unwrap();
+    let out = std::process::Command::new("sh").args(["-c", files]).env("LC_ALL", "C").output();
+    let found = String::from_utf8(out.unwrap().stdout).unwrap();
+    assert!(said.len() == 16 && found.starts_with(said), "TRUST.md: {said}; now {found}");
+}

@@ -20,7 +20,7 @@ use cordon_cosim::cosimulation::{Cosimulation, Loader};
 use cordon_cosim::store::{self, Format};
 use cordon_cosim::{exact_run, run as engine};
 use cordon_formats::fmi::import::{Isolation, substitute};
-use cordon_run::scenario::{Flight, Own};
+use cordon_run::scenario::{Flight, Own, Places};
 
 /// Arguments of `cordon cosim`.
 #[derive(clap::Args, Debug)]
@@ -159,11 +159,11 @@ impl FlightArgs {
     /// # Errors
     /// The scenario cannot be read, or a field is wrong.
     pub(in crate::cli) fn swarm(&self, scenario: &ScenarioArgs) -> Result<Cosimulation> {
-        self.swarm_exchanging(scenario, "exact")
+        Ok(self.swarm_exchanging(scenario, "exact")?.0)
     }
 
-    /// As [`Self::swarm`]; where neither the scenario nor a flag says how positions travel, they travel
-    /// as `exchange`.
+    /// As [`Self::swarm`], with the locations of the file's fields; where neither the scenario nor a flag
+    /// says how positions travel, they travel as `exchange`.
     ///
     /// # Errors
     /// The scenario cannot be read, or a field is wrong.
@@ -171,7 +171,7 @@ impl FlightArgs {
         &self,
         scenario: &ScenarioArgs,
         exchange: &str,
-    ) -> Result<Cosimulation> {
+    ) -> Result<(Cosimulation, Places)> {
         let (checked, flight, mut places) = scenario.scenario_and_flight(self.seed)?;
         let chosen = checked.own().is_some_and(Own::has_choices);
         if self.seed.is_some() && flight.faults.is_empty() && !chosen {
@@ -196,10 +196,11 @@ impl FlightArgs {
         let isolation = self.isolation()?;
         swarm.load = Loader::new(move |fmu, unit| substitute(&isolation, fmu, unit));
         swarm.units.iter().for_each(|unit| files::is_input(&unit.fmu));
-        match self.compat {
-            Some(Compat::Recorded) => swarm.as_recorded(),
-            None => Ok(swarm),
-        }
+        let swarm = match self.compat {
+            Some(Compat::Recorded) => swarm.as_recorded()?,
+            None => swarm,
+        };
+        Ok((swarm, places))
     }
 }
 

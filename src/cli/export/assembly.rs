@@ -31,7 +31,7 @@ pub struct ExportArgs {
 
 fn assembly(args: &ExportArgs, format: Format) -> Result<(Assembly, FmiVersion, Vec<u8>)> {
     // Not every tool can connect strings, and some silently read them as empty.
-    let swarm = args.flight.swarm_exchanging(&args.scenario, "double")?;
+    let (swarm, places) = args.flight.swarm_exchanging(&args.scenario, "double")?;
     if !args.out.is_dir() {
         files::expect_writable(&args.out)?;
     }
@@ -39,7 +39,7 @@ fn assembly(args: &ExportArgs, format: Format) -> Result<(Assembly, FmiVersion, 
         Format::IntoCps => Ok(assembly),
         Format::Ssp => assembly.with_first_inputs(&swarm),
     });
-    let assembly = args.scenario.in_file(assembly)?;
+    let assembly = assembly.map_err(|e| places.point(e))?;
     Ok((assembly, args.fmi.into(), binary::load(args.binary.binary.as_deref())?))
 }
 

@@ -70,7 +70,7 @@ fn converges(system: &System, found: &Contraction, page: &mut Page<'_>) -> Resul
         _ => ("quadratic forms of what has to vanish, one for each mode, fall", "their roots"),
     };
     page.line(format_args!(
-        "  converges: {forms} in every {}, {roots} by {} ({}) at least",
+        "  converges: {forms} in every {}, {roots} to at most {} ({}) of what it was",
         round_text(found),
         fraction(&found.rate),
         decimal_string(&found.rate, 6)

@@ -54,7 +54,7 @@ pub fn settle(
                 "  every agent within {distance} of {of} from step {step} on, from {from}"
             ))?;
             page.line(format_args!(
-                "  {}: a quadratic form falls by {} ({}) in every {}; the true step may be earlier",
+                "  {}: the root of a quadratic form falls to at most {} ({}) of what it was in every {}; the true step may be earlier",
                 Evidence::Certified,
                 fraction(&c.rate),
                 decimal_string(&c.rate, 6),

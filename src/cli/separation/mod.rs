@@ -82,13 +82,13 @@ enum Flight {
 pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     args.flight
         .refuse(&["duration", "seed", "in-process", "step-limit"], "nothing is simulated")?;
-    let swarm = args.flight.swarm(&args.scenario)?;
+    let (swarm, places) = args.flight.swarm_exchanging(&args.scenario, "exact")?;
     let wind = args.wind.as_deref().map(|w| exact::parse("wind", w)).transpose()?;
     if let Some(w) = wind.as_ref().filter(|w| w.is_negative()) {
         return Err(Error::input(format!("wind: `{w}`: expected 0 or more m/s2")));
     }
     expect_exact(&swarm)?;
-    args.scenario.in_file(applies(&swarm))?;
+    applies(&swarm).map_err(|e| places.point(e))?;
     let Judged { mut report, certificates: pages } = judged(&swarm, wind)?;
     report.files = certificates::written(args.out.as_deref(), pages)?;
     match args.format {

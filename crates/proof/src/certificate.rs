@@ -3,6 +3,8 @@
 //! Only writing is done here; what a certificate is worth, the independent checker says.
 
 pub mod linear;
+pub mod runs;
+pub mod theorem;
 
 use std::path::{Path, PathBuf};
 

@@ -4,8 +4,8 @@ use cordon_spec::theorems::{Form, Theorem};
 use num_rational::BigRational as Rational;
 use serde_json::json;
 
-use super::builder::Sheet;
 use super::lemmas::{ABOVE, BELOW, CELL, Scope, Steps, Weights, ends, system, weights};
+use crate::certificate::theorem::Sheet;
 
 /// 7.2 where nothing is seen more than one step late: for weights up to 2/5 order is kept, and each gap
 /// keeps the part 1 - 2 eps of itself in a step.

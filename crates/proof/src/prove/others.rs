@@ -2,8 +2,8 @@
 
 use serde_json::json;
 
-use super::builder::Sheet;
 use super::lemmas::Scope;
+use crate::certificate::theorem::Sheet;
 
 /// Beyond 1/2 a start in 7.2's set, given by formula, crosses at step 1, for every N >= 4.
 pub fn ordering_exact(scope: &Scope) -> Option<Sheet> {

@@ -4,8 +4,8 @@
 use cordon_spec::theorems::Theorem;
 use serde_json::json;
 
-use super::builder::Sheet;
 use super::lemmas::{Scope, Steps, TARGET, Weights, system, upper_bound, weights};
+use crate::certificate::theorem::Sheet;
 
 /// The proof in a script, for weights of which nothing but the range is needed.
 fn proof(theorem: Theorem, scope: &Scope, script: &str, given: &[(&str, &str)]) -> Option<Sheet> {

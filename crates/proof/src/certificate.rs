@@ -2,9 +2,11 @@
 //!
 //! Only writing is done here; what a certificate is worth, the independent checker says.
 
+pub mod invariance;
 pub mod linear;
 pub mod runs;
 pub mod theorem;
+pub mod weights;
 
 use std::path::{Path, PathBuf};
 

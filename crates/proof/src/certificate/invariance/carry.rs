@@ -46,6 +46,8 @@ pub struct Read {
 /// What makes of a node's literals one of the next node: with this share, a mode or no change.
 struct Way {
     share: Sum,
+    /// The share is 0.
+    nothing: bool,
     /// The parameters that play a part.
     ranges: Vec<usize>,
     /// At each vertex of their ranges the multipliers, and the constant that is left.
@@ -101,7 +103,9 @@ impl Carry<'_> {
             way.rows.iter().map(of).collect()
         };
         let strict = |j: &usize| self.to[*j].sign == Sign::Positive;
-        let least = (0..ways.len()).filter(strict).flat_map(|j| ways[j].iter().flat_map(shares));
+        let least = (0..ways.len())
+            .filter(strict)
+            .flat_map(|j| ways[j].iter().filter(|way| !way.nothing).flat_map(shares));
         let kept = least.fold(Rational::one(), Rational::min);
         if !kept.is_positive() {
             return None;
@@ -195,7 +199,7 @@ impl Carry<'_> {
     fn still(&self, edge: &Edge, j: usize) -> Option<Way> {
         let [multipliers] = edge.multipliers.get(j)?.as_slice() else { return None };
         let rows = vec![row(multipliers, self.to[j].constant.clone(), self.from)?];
-        Some(Way { share: Sum::number(Rational::one()), ranges: Vec::new(), rows })
+        Some(Way { share: Sum::number(Rational::one()), nothing: false, ranges: Vec::new(), rows })
     }
 
     /// The modes that change a literal.
@@ -234,7 +238,9 @@ impl Carry<'_> {
         let unchanged = other.clone().find_map(|m| edges.iter().find(|e| place(e) == Some(m)));
         ways.push(match unchanged {
             Some(edge) => Way { share, ..self.still(edge, j)? },
-            None => Way { share, ranges: Vec::new(), rows: vec![Default::default()] },
+            None => {
+                Way { share, nothing: true, ranges: Vec::new(), rows: vec![Default::default()] }
+            }
         });
         Some(ways)
     }
@@ -265,6 +271,7 @@ impl Carry<'_> {
             multipliers.iter().enumerate().map(|(place, m)| row(m, vertex(place), self.from));
         Some(Way {
             share,
+            nothing: false,
             ranges: ranges.iter().copied().collect(),
             rows: rows.collect::<Option<_>>()?,
         })

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use num_traits::{One, Zero};
 use serde_json::Value;
 
-use super::super::linear::{Multipliers, NodeClaim};
+use super::super::linear::Multipliers;
 use super::super::runs::{Literal, Time};
 use super::super::theorem::{absurd_times, cases, clause, instance, positivity, split};
 use super::super::weights::{Factor, Sum};
@@ -15,12 +15,12 @@ use cordon_core::Rational;
 use cordon_core::exact;
 use cordon_core::linear::feasible::Sign;
 
-impl<'i> Writer<'i> {
+impl Writer<'_> {
     /// The claims: each for all steps from one on, where it is made at every node from there, else for each of its steps alone.
-    pub(super) fn conclude(&mut self, claims: &'i [NodeClaim]) -> Option<()> {
+    pub(super) fn conclude(&mut self) -> Option<()> {
         // By what they say, in the order given: the multipliers at each place.
         let mut said: Vec<(&str, BTreeMap<usize, &Multipliers>)> = Vec::new();
-        for claim in claims {
+        for claim in self.claims {
             let holds = claim.holds.as_str();
             let index = said.iter().position(|(text, _)| *text == holds).unwrap_or_else(|| {
                 said.push((holds, BTreeMap::new()));
@@ -112,7 +112,15 @@ impl<'i> Writer<'i> {
         let left = &literal.constant - of(&|l| l.constant.clone());
         let strict = of(&|l| Rational::from_integer(i32::from(l.sign == Sign::Positive).into()));
         let time = at.variable.as_ref().map(|(k, _)| (k.clone(), format!("[{k}]")));
-        let known = Known { lemma: Self::lemma(place), time, earlier: false };
+        // The lemma about the group in which all multipliers are, if there is one.
+        let mut groups = multipliers.keys().map(|j| Self::group(node, *j).map(|(group, _)| group));
+        let lemma = match groups.next().flatten() {
+            Some(group) if groups.all(|g| g == Some(group)) => {
+                format!("{}.{group}", Self::lemma(place))
+            }
+            _ => Self::lemma(place),
+        };
+        let known = Known { lemma, time, earlier: false };
         // The instance with the factors times a sign, and something added.
         let instance = |sign: i32, added: &Sum| {
             let sign = Rational::from_integer(sign.into());

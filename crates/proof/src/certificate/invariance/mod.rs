@@ -8,10 +8,11 @@ mod claims;
 mod walk;
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use serde_json::{Map, Value, json};
 
-use super::linear::{Invariance, LinearSystem};
+use super::linear::{Invariance, LinearSystem, NodeClaim};
 use super::runs::{Literal, Runs, Time};
 use super::theorem::{Sheet, clause, induction, positivity};
 use super::weights::{Factor, Sum};
@@ -23,6 +24,7 @@ use walk::{How, Walk};
 struct Writer<'i> {
     sheet: Sheet,
     system: &'i LinearSystem,
+    claims: &'i [NodeClaim],
     runs: Runs,
     walk: Walk<'i>,
     nodes: BTreeMap<&'i str, Vec<Literal>>,
@@ -36,7 +38,10 @@ struct Writer<'i> {
     margin: String,
 }
 
-/// What is known of a node when the next is proved.
+/// Most literals of a node of which claims are instances; larger ones are divided into groups first.
+const GROUP: usize = 32;
+
+/// What is known of a node when something is proved from it.
 struct Known {
     lemma: String,
     /// A term for the variable of the lemma's time, if there is one, and why that is in its range.
@@ -59,11 +64,22 @@ pub fn certificate(invariance: &Invariance) -> Option<Value> {
     let [margin, weight, added, earlier] =
         ["margin", "l", "c", "t"].map(|wanted| runs.names.stem(wanted));
     let (system, step) = (&invariance.system, runs.step.clone());
-    let mut writer =
-        Writer { sheet, system, runs, walk, nodes, weight, added, step, earlier, margin };
+    let mut writer = Writer {
+        sheet,
+        system,
+        claims: &invariance.claims,
+        runs,
+        walk,
+        nodes,
+        weight,
+        added,
+        step,
+        earlier,
+        margin,
+    };
     writer.assume_start();
     writer.prove_places()?;
-    writer.conclude(&invariance.claims)?;
+    writer.conclude()?;
     Some(writer.sheet.certificate())
 }
 
@@ -122,8 +138,8 @@ impl<'i> Writer<'i> {
         format!("{}{j}", self.weight)
     }
 
-    /// The clause that says all literals of a node.
-    fn clause(&self, name: &str, node: &[Literal], at: &Time) -> Value {
+    /// The clause that says these literals of a node.
+    fn clause(&self, name: &str, node: &[Literal], group: Range<usize>, at: &Time) -> Value {
         let added = &self.added;
         let (mut vars, mut given) = (Vec::new(), Vec::new());
         let (mut goal, mut positive) = (String::new(), added.clone());
@@ -131,7 +147,7 @@ impl<'i> Writer<'i> {
             vars.push(variable.clone());
             given.push(format!("{variable}: {variable} >= {least}"));
         }
-        for (j, literal) in node.iter().enumerate() {
+        for (j, literal) in node.iter().enumerate().take(group.end).skip(group.start) {
             let l = self.weight(j);
             vars.push(format!("{l}:real"));
             if literal.sign != Sign::Zero {
@@ -180,7 +196,10 @@ impl<'i> Writer<'i> {
             let variable = if known.earlier { &self.earlier } else { &self.step };
             with.insert(variable.clone(), json!(term));
         }
-        for (j, (literal, weight)) in node.iter().zip(&weights.of).enumerate() {
+        // What is not named is 0.
+        for (j, (literal, weight)) in
+            node.iter().zip(&weights.of).enumerate().filter(|(_, (_, w))| !w.is_zero())
+        {
             with.insert(self.weight(j), json!(weight.value()));
             if literal.sign != Sign::Zero {
                 given.insert(self.weight(j), json!(weight.facts()?));
@@ -258,10 +277,51 @@ impl<'i> Writer<'i> {
                     induction(&self.step, &self.step, &self.earlier, base, step)
                 }
             };
-            let clause = self.clause(&Self::lemma(place), self.node(place), &at);
+            let node = self.node(place).to_vec();
+            let clause = self.clause(&Self::lemma(place), &node, 0..node.len(), &at);
             self.sheet.lemma(clause, proof);
+            self.divide(place, &node, &at)?;
         }
         Some(())
+    }
+
+    /// The group of a literal of a node, and its size, where there are groups.
+    fn group(node: &[Literal], j: usize) -> Option<(usize, usize)> {
+        let size = node.len().isqrt() + 1;
+        (node.len() > GROUP).then_some((j / size, size))
+    }
+
+    /// Lemmas about fewer literals of a node: a claim reads few, and all of a clause is looked at.
+    fn divide(&mut self, place: usize, node: &[Literal], at: &Time) -> Option<()> {
+        let all = self.goal_weights(node);
+        let mut start = 0;
+        while let Some((group, size)) =
+            Self::group(node, start).filter(|_| start < node.len() && self.claimed(place))
+        {
+            let range = start..node.len().min(start + size);
+            let inside = |(j, w): (usize, &Sum)| {
+                if range.contains(&j) { w.clone() } else { Sum::default() }
+            };
+            let of = all.of.iter().enumerate().map(inside).collect();
+            let weights = Weights { of, ..all.clone() };
+            let known = Known {
+                lemma: Self::lemma(place),
+                time: at.variable.as_ref().map(|(k, _)| (k.clone(), format!("[{k}]"))),
+                earlier: false,
+            };
+            let instance = self.instance("all", &known, node, &weights)?;
+            let name = format!("{}.{group}", known.lemma);
+            let clause = self.clause(&name, node, range.clone(), at);
+            self.sheet.lemma(clause, positivity(&[instance], "[all]"));
+            start = range.end;
+        }
+        Some(())
+    }
+
+    /// Whether something is claimed at a place.
+    fn claimed(&self, place: usize) -> bool {
+        let node = self.walk.places.get(place).map(|p| p.node);
+        self.claims.iter().any(|claim| Some(claim.at.as_str()) == node)
     }
 
     /// The clause of the first recurring node a period later, from the hypothesis.

@@ -130,17 +130,13 @@ objects! {
         functions: Named<Function>, constants: Named<Sort>, definitions: Vec<Definition>, assumptions: Vec<Clause>; system: System
     }
     /// What runs: `coverage`, `consensus` or `projection`, in `full` steps, with `activation` or `delay`; the weight of drone i in step
-    /// k, if it is not `eps`; the theorems whose weights and starts are meant, and one N in the place of every N >= 3.
-    System { protocol: String, steps: String;; weight: String, weights: Hypothesis, starts: Hypothesis, drones: u32 }
+    /// k, if it is not `eps`.
+    System { protocol: String, steps: String;; weight: String }
     /// A function of so many integers, and what it gives.
     Function { of: usize, to: Sort }
-    /// The hypothesis of the theorem of that number, in its `paper` or `sharp` form.
-    Hypothesis { theorem: String, form: String }
     /// A function by recursion on the last of its arguments, integers: where that starts, the first values, and the next
-    /// value times a positive factor.
-    Definition { name: String, step: String; of: Vec<String>, from: String, base: Vec<String>; scale: Scale }
-    /// A positive factor, and a sum that shows it.
-    Scale { by: String, sum: String }
+    /// value times a factor.
+    Definition { name: String, step: String; of: Vec<String>, from: String, base: Vec<String>; scale: String }
     /// For all values of the variables, if the literals given hold so does the goal.
     Clause { name: String, goal: String; r#for: Vec<Variable>, given: Vec<Given> }
     /// A variable and its values.

@@ -25,7 +25,7 @@ use std::fmt;
 
 use cordon_spec::coverage::exec_coverage;
 use fault::{Fault, Result, Shown, fault};
-use format::{Function, Kind, Theorem};
+use format::{Function, Kind, Statement, Theorem};
 use kernel::Kernel;
 use system::Step;
 
@@ -125,16 +125,19 @@ fn theorem(t: &Theorem, protocol: Step) -> (&str, Result<Shown>) {
     (step, result)
 }
 
-fn prove<'t>(t: &'t Theorem, protocol: Step, step: &mut &'t str) -> Result<Shown> {
-    let (mut kernel, s) = (Kernel::default(), &t.statement);
-    for (name, f) in &s.functions.0 {
-        kernel.function(name, f.of, f.to)?;
-    }
-    let mut words = vec![system::install(s.system.as_ref(), &mut kernel, protocol)?];
-    for (name, f) in &s.functions.0 {
-        let Function { of, to } = f;
+/// Reads what a statement speaks of and assumes; what that is, in words.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn assume(s: &Statement, kernel: &mut Kernel, protocol: Step) -> Result<Vec<String>> {
+    let mut words = Vec::new();
+    for (name, Function { of, to }) in &s.functions.0 {
+        kernel.function(name, *of, *to)?;
         let met = "that meets what is assumed, if there is one";
         words.push(format!("for every {to} function {name} of arity {of} {met}"));
+    }
+    if let Some(system) = &s.system {
+        words.insert(0, system::install(system, kernel, protocol)?);
     }
     for (name, sort) in &s.constants.0 {
         kernel.constant(name, *sort)?;
@@ -148,6 +151,12 @@ fn prove<'t>(t: &'t Theorem, protocol: Step, step: &mut &'t str) -> Result<Shown
         words.push(format!("assuming {clause}"));
         kernel.add(&assumption.name, clause)?;
     }
+    Ok(words)
+}
+
+fn prove<'t>(t: &'t Theorem, protocol: Step, step: &mut &'t str) -> Result<Shown> {
+    let (mut kernel, s) = (Kernel::default(), &t.statement);
+    let mut words = assume(s, &mut kernel, protocol)?;
     // What is to be proved, before the proof brings its own names.
     let goals: Vec<_> =
         s.conclusions.iter().map(|c| Ok((c, kernel.clause(c)?))).collect::<Result<_>>()?;

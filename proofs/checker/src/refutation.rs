@@ -3,7 +3,7 @@
 use cordon_spec::activation::exec_coverage_active;
 use cordon_spec::coverage::{exec_coverage, getx};
 use cordon_spec::delay::exec_coverage_delayed;
-use cordon_spec::theorems::{Setting, Subject, Theorem, Truth, Verdict, Violation};
+use cordon_spec::theorems::{Form, Setting, Subject, Theorem, Truth, Verdict, Violation};
 use cordon_spec::{Params, State};
 
 use crate::expr::Literal;
@@ -12,7 +12,6 @@ use crate::format::{Counterexample, Delay, Named, Refutation};
 use crate::linear::{STEPS, System, Values, at};
 use crate::number::{Number, charge, exhausted};
 use crate::poly::Poly;
-use crate::system::named;
 
 const RULE: &str = "refutation";
 
@@ -66,7 +65,11 @@ pub fn counterexample(c: &Counterexample) -> Result<Shown> {
 /// `refutation`: a run of the spec, on exact rationals, that meets the hypothesis and for which the
 /// spec's own conclusion answers what is stated.
 pub fn refutation(c: &Refutation) -> Result<Shown> {
-    let (theorem, form) = named(&c.theorem, &c.form)?;
+    let theorem = Theorem::ALL.into_iter().find(|t| t.number() == c.theorem);
+    let form = Form::ALL.into_iter().find(|f| f.label() == c.form);
+    let (Some(theorem), Some(form)) = (theorem, form) else {
+        return fault(RULE, "no such theorem or form");
+    };
     let (count, step) = (c.start.len(), c.step as usize);
     // Their finite conclusions say what the theorem says of full steps without delay only: the energy
     // stands for the limit, and a span of steps for all later ones, of one linear map.

@@ -10,13 +10,11 @@ pub mod ellipsoid;
 pub mod expr;
 pub mod fault;
 pub mod format;
-pub mod invariance;
 pub mod kernel;
 pub mod linear;
 pub mod matrix;
 pub mod number;
 pub mod poly;
-pub mod quadratic;
 pub mod refutation;
 pub mod system;
 pub mod vector;
@@ -41,7 +39,7 @@ pub enum Verdict {
     },
     /// A proof is wrong, or the certificate contradicts itself.
     Invalid {
-        /// The clause, or the kind.
+        /// The clause, where it is a theorem.
         step: String,
         /// The rule that failed.
         rule: &'static str,
@@ -100,15 +98,17 @@ pub fn check_of(text: &str, step: Step) -> Verdict {
         Ok(kind) => kind,
         Err(reason) => return Verdict::Unreadable { reason },
     };
-    let (clause, result) = match &kind {
-        Kind::Theorem(t) => theorem(t, step),
-        Kind::Contraction(c) => ("contraction", vector::contraction(c, step)),
-        Kind::Growth(c) => ("growth", vector::growth(c, step)),
-        Kind::Refutation(c) => ("refutation", refutation::refutation(c)),
-        Kind::Counterexample(c) => ("counterexample", refutation::counterexample(c)),
-        Kind::Invariance(c) => ("invariance", invariance::invariance(c)),
-        Kind::Quadratic(c) => ("quadratic", quadratic::quadratic(c)),
-        Kind::Ellipsoid(c) => ("ellipsoid", ellipsoid::ellipsoid(c)),
+    let mut clause = "certificate";
+    let result = match &kind {
+        Kind::Theorem(t) => prove(t, step, &mut clause),
+        Kind::Contraction(c) => {
+            let of = (c.drones, &c.eps, c.vector.as_slice());
+            vector::vector("contraction", of, Some(&c.rate), step)
+        }
+        Kind::Growth(c) => vector::vector("growth", (c.drones, &c.eps, &c.vector), None, step),
+        Kind::Refutation(c) => refutation::refutation(c),
+        Kind::Counterexample(c) => refutation::counterexample(c),
+        Kind::Ellipsoid(c) => ellipsoid::ellipsoid(c),
     };
     // Without work left numbers are not what they should be: neither is what was said of them.
     let result = number::spend(0).and(result);
@@ -116,13 +116,6 @@ pub fn check_of(text: &str, step: Step) -> Verdict {
         Ok((claim, obligations)) => Verdict::Valid { claim, obligations },
         Err(Fault { rule, reason }) => Verdict::Invalid { step: clause.into(), rule, reason },
     }
-}
-
-/// Kind `theorem`: the clause that fails, or what was proved and in how many clauses.
-fn theorem(t: &Theorem, protocol: Step) -> (&str, Result<Shown>) {
-    let mut step = "statement";
-    let result = prove(t, protocol, &mut step);
-    (step, result)
 }
 
 /// Reads what a statement speaks of and assumes; what that is, in words.
@@ -154,7 +147,9 @@ pub fn assume(s: &Statement, kernel: &mut Kernel, protocol: Step) -> Result<Vec<
     Ok(words)
 }
 
+/// Kind `theorem`: what was proved and in how many clauses; `step` is the clause that is judged.
 fn prove<'t>(t: &'t Theorem, protocol: Step, step: &mut &'t str) -> Result<Shown> {
+    *step = "statement";
     let (mut kernel, s) = (Kernel::default(), &t.statement);
     let mut words = assume(s, &mut kernel, protocol)?;
     // What is to be proved, before the proof brings its own names.

@@ -9,7 +9,7 @@ use cordon_spec::{Params, State};
 use crate::expr::Literal;
 use crate::fault::{Result, Shown, ensure, fault};
 use crate::format::{Counterexample, Delay, Named, Refutation};
-use crate::linear::{STEPS, System, Values, at};
+use crate::linear::{System, Values, at};
 use crate::number::{Number, charge, exhausted};
 use crate::poly::Poly;
 
@@ -25,7 +25,7 @@ pub fn counterexample(c: &Counterexample) -> Result<Shown> {
     let (system, ranges) = (System::read(&c.system)?, &c.system.parameters.0);
     let assumed = c.assumptions.iter().map(|l| system.literal(l)).collect::<Result<Vec<_>>>()?;
     let claim = system.literal(&c.claim)?;
-    let mut state = system.placed(RULE, &c.start)?;
+    let mut state = system.placed(&c.start)?;
     let holds = |l: &Literal, state: &Values<'_>| l.map(|p| at(p, state)).decided() == Some(true);
     for literal in &assumed {
         ensure!(holds(literal, &state), RULE, "the start does not meet {literal}");
@@ -58,7 +58,7 @@ pub fn counterexample(c: &Counterexample) -> Result<Shown> {
     let step = c.steps.len();
     ensure!(!holds(&claim, &state), RULE, "at step {step} the claim holds");
     let start = system.start(&c.start);
-    let words = system.words(STEPS, &c.with, &assumed);
+    let words = system.words(["a linear system of", "in each step"], &c.with, &assumed);
     Ok((format!("{words}\n  refuted at step {step}: {claim}, by a run from {start}"), 1))
 }
 

@@ -3,7 +3,9 @@
 //! Only writing is done here; what a certificate is worth, the independent checker says.
 
 pub mod linear;
+pub mod quadratic;
 pub mod runs;
+mod squares;
 pub mod theorem;
 
 use std::path::{Path, PathBuf};

@@ -14,7 +14,7 @@ use super::theorem::{Sheet, clause, instance};
 use cordon_core::Rational;
 use cordon_core::exact::{self, fraction};
 use cordon_core::linear::feasible::Sign;
-use cordon_core::scalar::{Monomial, Polynomial};
+use cordon_core::scalar::Polynomial;
 use cordon_core::system::expression::{
     Comparison, Expression, Meaning, add_term, comparisons, or_zero,
 };
@@ -88,6 +88,17 @@ impl Names {
         self.0.insert(name.clone());
         name
     }
+
+    /// A name that stays new with any number after it.
+    pub fn stem(&mut self, wanted: &str) -> String {
+        let mut name = wanted.to_owned();
+        let digits = |rest: &str| rest.bytes().all(|b| b.is_ascii_digit());
+        while self.0.iter().any(|taken| taken.strip_prefix(&name).is_some_and(digits)) {
+            name.push('x');
+        }
+        self.0.insert(name.clone());
+        name
+    }
 }
 
 /// A comparison of an affine form in the state with 0.
@@ -106,11 +117,15 @@ pub struct Literal {
 pub struct Runs {
     /// The names that are taken.
     pub names: Names,
+    /// The variable of clauses about every step.
+    pub step: String,
     /// The variables of the state.
     pub state: Vec<String>,
     /// The parameters whose range is no point, with its ends. In polynomials they come after the state.
     pub ranges: Vec<(String, [Rational; 2])>,
-    /// For each mode that acts its selector, and what it makes of the variables that it changes.
+    /// The modes' names as written.
+    pub written: Vec<String>,
+    /// For each mode its selector, and what it makes of the variables that it changes.
     pub modes: Vec<(String, BTreeMap<usize, Polynomial>)>,
     /// Which mode acts when; `Cycle` speaks of places in `modes`.
     pub turns: Turns,
@@ -167,7 +182,9 @@ impl Runs {
                 modes.iter_mut().for_each(|(name, _)| *name = names.fresh(name));
             }
         }
-        let runs = Self { names, state, ranges, modes, turns };
+        let step = names.stem("k");
+        let written = system.modes.keys().cloned().collect();
+        let runs = Self { names, step, state, ranges, written, modes, turns };
         runs.assume(sheet);
         Some(runs)
     }
@@ -178,7 +195,7 @@ impl Runs {
     }
 
     fn assume(&self, sheet: &mut Sheet) {
-        let name = self.variable("k");
+        let name = self.step.clone();
         let k = Time { variable: Some((name.clone(), 0)), stride: 1, offset: 0 };
         for v in &self.state {
             sheet.function(v, 1, "real");
@@ -217,11 +234,6 @@ impl Runs {
                 sheet.assume(clause(&self.step_name(v, phase), &name, &[&given], &goal));
             }
         }
-    }
-
-    /// A variable of clauses that is no name of the system.
-    pub fn variable(&self, wanted: &str) -> String {
-        self.names.clone().fresh(wanted)
     }
 
     fn step_name(&self, v: usize, phase: usize) -> String {
@@ -271,15 +283,15 @@ impl Runs {
     }
 
     /// The fact by which a variable changes in the step at that time, its name ending in `tag`.
-    pub fn step(&self, v: usize, at: &Time, tag: &str) -> Value {
+    pub fn step_at(&self, v: usize, at: &Time, tag: &str) -> Value {
         let period = if let Turns::Cycle(modes) = &self.turns { modes.len().max(1) } else { 1 };
         let lemma = self.step_name(v, at.offset % period);
         let [term, bound] = at.quotient(period);
-        let k = self.variable("k");
+        let k = &self.step;
         instance(&format!("{lemma}{tag}"), &lemma, &format!("{k}={term}"), &format!("k={bound}"))
     }
 
-    /// The name of [`Self::step`]'s fact.
+    /// The name of [`Self::step_at`]'s fact.
     pub fn step_fact(&self, v: usize, at: &Time, tag: &str) -> String {
         let period = if let Turns::Cycle(modes) = &self.turns { modes.len().max(1) } else { 1 };
         format!("[{}{tag}]", self.step_name(v, at.offset % period))
@@ -287,7 +299,7 @@ impl Runs {
 
     /// An assumption about every step at that time, its name ending in `tag`.
     pub fn every(&self, lemma: &str, at: &Time, tag: &str) -> Value {
-        let k = self.variable("k");
+        let k = &self.step;
         instance(&format!("{lemma}{tag}"), lemma, &format!("{k}={}", at.text()), "")
     }
 
@@ -327,9 +339,4 @@ impl Literal {
         };
         format!("{} {sign} 0", runs.text(&self.poly(), at))
     }
-}
-
-/// The constant of a polynomial.
-pub fn constant(poly: &Polynomial) -> Rational {
-    poly.coefficient(&Monomial::default())
 }

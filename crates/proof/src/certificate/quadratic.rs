@@ -91,6 +91,8 @@ struct Writer<'q> {
     q: String,
     s: String,
     earlier: String,
+    /// The forms in integers.
+    forms: Vec<Matrix>,
 }
 
 impl Quadratic {
@@ -108,6 +110,11 @@ impl Quadratic {
 
 impl<'q> Writer<'q> {
     fn new(quadratic: &'q Quadratic) -> Option<Self> {
+        let entries = || quadratic.forms.iter().flatten().flatten();
+        let scale = entries().fold(BigInt::one(), |d, x| d.lcm(x.denom()));
+        let common = entries().fold(BigInt::zero(), |d, x| d.gcd(&(x.numer() * (&scale / x.denom()))));
+        let unit = if common.is_zero() { return None } else { Rational::new(scale, common) };
+        let forms = quadratic.forms.iter().map(|p| matrix_times(&unit, p)).collect();
         let mut sheet = Sheet::default();
         let mut runs = Runs::declare(&mut sheet, &quadratic.system, Turns::Any)?;
         let mut ranges = runs.ranges.iter();
@@ -125,7 +132,7 @@ impl<'q> Writer<'q> {
         let indexed = |stem: String| (0..quadratic.readouts.len()).map(|j| format!("{stem}{j}")).collect();
         let [y, z, u] = [y, z, u].map(indexed);
         let now = Time { variable: Some((runs.step.clone(), 0)), stride: 1, offset: 0 };
-        Some(Self { quadratic, sheet, runs, now, values, y, form, bound, z, u, w, q, s, earlier })
+        Some(Self { quadratic, sheet, runs, now, values, y, form, bound, z, u, w, q, s, earlier, forms })
     }
 
     /// The readouts at that time.
@@ -260,7 +267,7 @@ impl<'q> Writer<'q> {
                 // A variable in its place: its square has one term.
                 let root = format!("{}{}", self.q, long.len());
                 given.push(format!("e{i}: {root} = {text}"));
-                add_term(&mut sum, &-&factor, &[&format!("[e{i}]"), &format!("({root} + {text})")]);
+                add_term(&mut sum, &-&factor, &[&format!("[e{i}]"), &format!("({text} + {root})")]);
                 long.push((root.clone(), format!("e{i}"), text));
                 root
             } else {
@@ -325,7 +332,7 @@ impl<'q> Writer<'q> {
     /// V at that time, as a form of the readouts.
     fn value(&self, time: &Time) -> String {
         let y = self.at(time);
-        match (self.quadratic.forms.as_slice(), self.selectors(time)) {
+        match (self.forms.as_slice(), self.selectors(time)) {
             ([one], _) => quadratic(one, &y),
             (all, Some(selectors)) => {
                 let terms = selectors.iter().zip(all).map(|(m, p)| format!("{m}*({})", quadratic(p, &y)));
@@ -335,79 +342,84 @@ impl<'q> Writer<'q> {
         }
     }
 
-    /// A lemma of z and u: (-1)^.. for each form.
-    fn mixed(&mut self, vertices: &[Vertex], square: Option<&Rational>) -> Option<()> {
-        let forms = &self.quadratic.forms;
-        if forms.len() != 1 && (forms.len() != self.runs.modes.len() || !self.runs.chooses()) {
-            return None;
-        }
-        let one = Rational::one();
+    /// For each form a lemma about z and u, what a step makes of z: rate^2 z'Pz - u'Pu >= 0, or u'Pu - z'Pz >= 0 where there is no rate. All in
+    /// integers: gives how many times u the equations speak of, and how many times the difference the lemmas do.
+    fn mixed(&mut self, vertices: &[Vertex], square: Option<&Rational>) -> Option<[Rational; 2]> {
+        let (one, forms) = (Rational::one(), self.forms.clone());
+        let (z, u) = (self.z.clone(), self.u.clone());
         let several = vertices.len() > 1;
         let sign = if square.is_some() { one.clone() } else { -&one };
         let square = square.unwrap_or(&one);
+        let entries = vertices.iter().flat_map(|v| v.map.iter().flatten());
+        let unit = Rational::from_integer(entries.fold(BigInt::one(), |d, x| d.lcm(x.denom())));
+        let whole = Rational::from_integer(square.denom().clone());
+        let times = &unit * &unit * &whole;
         let weights: Names = (0..vertices.len()).filter(|_| several).map(|i| format!("{}{i}", self.w)).collect();
+        let maps: Vec<Matrix> = vertices.iter().map(|v| matrix_times(&unit, &v.map)).collect();
+        let image = |i: usize, a: usize| linear(&sparse(&maps[i][a]), &z);
+        let mut given: Names = weights.iter().map(|w| format!("{w}: {w} >= 0")).collect();
+        if several {
+            given.push(format!("all: {} = 1", weights.join(" + ")));
+        }
+        for (a, u) in u.iter().enumerate() {
+            let mixed = weights.iter().enumerate().map(|(i, w)| format!("{w}*({})", image(i, a)));
+            let image = if several { mixed.collect::<Vec<_>>().join(" + ") } else { image(0, a) };
+            given.push(format!("{u}: {} = {image}", fraction_times(&unit, u)));
+        }
+        let given: Vec<&str> = given.iter().map(String::as_str).collect();
+        let gaps = |i: usize| -> Names {
+            let gap = |(a, u): (usize, &String)| format!("{} - {}", image(i, a), fraction_times(&unit, u));
+            u.iter().enumerate().map(gap).collect()
+        };
+        let gaps: Vec<Names> = (0..vertices.len()).map(gaps).collect();
         for (t, target) in forms.iter().enumerate() {
-            let (mut facts, mut sum, mut goal) = (Vec::new(), String::new(), String::new());
-            let own = |v: &Vertex| if forms.len() == 1 { 0 } else { v.mode };
-            let mut given: Names = weights.iter().map(|w| format!("{w}: {w} >= 0")).collect();
-            if several {
-                given.push(format!("all: {} = 1", weights.join(" + ")));
-            }
-            for (a, u) in self.u.iter().enumerate() {
-                let terms = vertices.iter().enumerate().filter_map(|(i, v)| {
-                    let row = linear(&sparse(&v.map[a]), &self.z);
-                    (row != "0").then(|| if several { format!("{}*({row})", weights[i]) } else { row })
-                });
-                given.push(format!("{u}: {u} = {}", or_zero(terms.collect::<Vec<_>>().join(" + "))));
-            }
+            let own = |v: &Vertex| forms.get(if forms.len() == 1 { 0 } else { v.mode });
+            let after = quadratic(&matrix_times(&times, target), &u);
+            let before = |v: &Vertex| Some(quadratic(&matrix_times(&(&times * square), own(v)?), &z));
+            let (mut facts, mut sum) = (Vec::new(), String::new());
             for (i, v) in vertices.iter().enumerate() {
                 let moved = product(&product(&transposed(&v.map), target), &v.map);
-                let left = difference(&matrix_times(&(&sign * square), &forms[own(v)]), &matrix_times(&sign, &moved));
+                let left = difference(&matrix_times(&(&sign * square), own(v)?), &matrix_times(&sign, &moved));
                 let lemma = format!("vertex{i}.{t}");
-                let scale = self.semidefinite(&lemma, &left)?;
-                facts.push(self.instance_of(&format!("f{i}"), &lemma, &self.z));
-                let weight = several.then(|| format!("[{}]", weights[i]));
-                let factors: Vec<&str> = weight.as_deref().into_iter().collect();
-                add_term(&mut sum, &scale.recip(), &[&factors[..], &[&format!("[f{i}]")]].concat());
-                if several {
-                    let gap = |(a, u): (usize, &String)| {
-                        let row = linear(&sparse(&v.map[a]), &self.z);
-                        if row == "0" { format!("-{u}") } else { format!("{row} - {u}") }
-                    };
-                    let gaps: Names = self.u.iter().enumerate().map(gap).collect();
-                    facts.push(self.instance_of(&format!("g{i}"), &format!("form.{t}"), &gaps));
-                    sum += &format!(" + [{}]*[g{i}]", weights[i]);
-                    if forms.len() > 1 {
-                        let text = quadratic(&forms[v.mode], &self.z);
-                        goal += &format!("{}*({text}) + ", fraction_times(square, &weights[i]));
-                    }
+                let factor = &times / self.semidefinite(&lemma, &left)?;
+                facts.push(self.instance_of(&format!("f{i}"), &lemma, &z));
+                let weight = weights.get(i).map(|w| format!("[{w}]"));
+                let fact = format!("[f{i}]");
+                add_term(&mut sum, &factor, &weight.iter().chain([&fact]).map(String::as_str).collect::<Vec<_>>());
+                if let Some(weight) = weight {
+                    facts.push(self.instance_of(&format!("g{i}"), &format!("form.{t}"), &gaps[i]));
+                    add_term(&mut sum, &whole, &[&weight, &format!("[g{i}]")]);
                 }
             }
-            let image: Names = target.iter().map(|row| linear(&sparse(row), &self.u)).collect();
+            let first = before(vertices.first()?)?;
+            let goal = match (forms.len(), sign.is_positive()) {
+                (1, true) => format!("{first} - ({after})"),
+                (1, false) => format!("{after} - ({first})"),
+                _ => {
+                    let terms = weights.iter().zip(vertices).map(|(w, v)| Some(format!("{w}*({})", before(v)?)));
+                    format!("{} - ({after})", terms.collect::<Option<Vec<_>>>()?.join(" + "))
+                }
+            };
             if several {
-                let mut rest = quadratic(target, &self.u);
-                if forms.len() == 1 {
-                    goal = format!("{} + ", quadratic(&matrix_times(square, target), &self.z));
-                    rest = format!("{goal}{rest}");
-                }
-                sum += &format!(" - [all]*({rest})");
-                for (u, image) in self.u.iter().zip(&image) {
-                    sum += &format!(" - 2*[{u}]*({image})");
-                }
-                goal = goal.trim_end_matches(" + ").to_owned() + &format!(" - ({})", quadratic(target, &self.u));
-            } else {
-                let map = product(target, &vertices.first()?.map);
-                for ((u, image), row) in self.u.iter().zip(&image).zip(&map) {
-                    add_term(&mut sum, &-&sign, &[&format!("[{u}]"), &format!("({image} + {})", linear(&sparse(row), &self.z))]);
-                }
-                let [from, to] = [quadratic(&matrix_times(square, target), &self.z), quadratic(target, &self.u)];
-                goal = if sign.is_positive() { format!("{from} - ({to})") } else { format!("{to} - ({from})") };
+                let common = if forms.len() == 1 { format!("{first} + ") } else { String::new() };
+                sum += &format!(" - [all]*({common}{after})");
             }
-            let given: Vec<&str> = given.iter().map(String::as_str).collect();
-            let clause = clause(&format!("mixed.{t}"), &reals(&[&self.z, &self.u, &weights]), &given, &format!("{goal} >= 0"));
+            for (name, row) in u.iter().zip(target) {
+                let of = |c: Rational, row: &[Rational]| row.iter().map(|x| &c * x).collect::<Vec<_>>();
+                let two = Rational::from_integer(2.into());
+                if several {
+                    let image = linear(&sparse(&of(-&two * &whole * &unit, row)), &u);
+                    sum += &format!(" + [{name}]*({image})");
+                } else {
+                    let factor = -&sign * &whole;
+                    let both = [linear(&sparse(&of(&factor * &unit, row)), &u), linear(&sparse(&of(factor, &matrix::before(row, &maps[0]))), &z)];
+                    sum += &format!(" + [{name}]*({} + ({}))", both[0], both[1]);
+                }
+            }
+            let clause = clause(&format!("mixed.{t}"), &reals(&[&z, &u, &weights]), &given, &format!("{goal} >= 0"));
             self.sheet.lemma(clause, positivity(&facts, &sum));
         }
-        Some(())
+        Some([unit, times])
     }
 
     /// A lemma about z of these terms.
@@ -417,10 +429,10 @@ impl<'q> Writer<'q> {
     }
 
     /// Each of the mixed lemmas, of this step: a fact `mixed.t`.
-    fn mixed_now(&self, vertices: &[Vertex]) -> Vec<Value> {
+    fn mixed_now(&self, vertices: &[Vertex], unit: &Rational) -> Vec<Value> {
         let (now, next) = (self.at(&self.now), self.at(&self.now.later(1)));
         let mut with: Names = self.z.iter().zip(&now).chain(self.u.iter().zip(&next)).map(|(v, term)| format!("{v}={term}")).collect();
-        let mut given: Names = self.u.iter().zip(&self.y).map(|(u, y)| format!("{u}=[next.{y}]")).collect();
+        let mut given: Names = self.u.iter().zip(&self.y).map(|(u, y)| format!("{u}={}", fraction_times(unit, &format!("[next.{y}]")))).collect();
         let mut facts: Vec<Value> = self.y.iter().map(|y| self.this_step(&format!("next.{y}"))).collect();
         if self.runs.chooses() {
             facts.push(self.runs.every("modes", &self.now, ""));
@@ -442,7 +454,7 @@ impl<'q> Writer<'q> {
             }
             given.push(format!("all={}", if self.runs.chooses() { "-[modes]" } else { "0" }));
         }
-        let all = (0..self.quadratic.forms.len()).map(|t| {
+        let all = (0..self.forms.len()).map(|t| {
             let name = format!("mixed.{t}");
             instance(&name, &name, &with.join(", "), &given.join(", "))
         });
@@ -483,18 +495,18 @@ impl<'q> Writer<'q> {
     fn falls(&mut self, square: &Rational) -> Option<()> {
         let (now, k, v, r) = (self.now.clone(), self.runs.step.clone(), self.form.clone(), self.bound.clone());
         let next = now.later(1);
-        let several = self.quadratic.forms.len() > 1;
+        let several = self.forms.len() > 1;
         self.sheet.define(&v, &[&k], &[], &self.value(&now), None);
         self.sheet.define(&r, &[&k], &["1"], &fraction_times(square, &format!("{r}({k})")), None);
-        let part = least_part(&self.quadratic.forms)?;
+        let part = least_part(&self.forms)?;
         let mut scales = Vec::new();
-        for (t, p) in self.quadratic.forms.iter().enumerate() {
+        for (t, p) in self.forms.clone().iter().enumerate() {
             let less = difference(p, &matrix_times(&part, &matrix::unit(p.len())));
             scales.push(self.semidefinite(&format!("norm.{t}"), &less)?);
         }
         let vertices = self.vertices()?;
         if vertices.len() > 1 {
-            for (t, (p, scale)) in self.quadratic.forms.iter().zip(&scales).enumerate() {
+            for (t, (p, scale)) in self.forms.clone().iter().zip(&scales).enumerate() {
                 let mut facts = vec![self.instance_of("norm", &format!("norm.{t}"), &self.z)];
                 let mut sum = fraction_times(&scale.recip(), "[norm]");
                 for z in &self.z {
@@ -506,19 +518,20 @@ impl<'q> Writer<'q> {
                 self.sheet.lemma(clause, positivity(&facts, &sum));
             }
         }
-        self.mixed(&vertices, Some(square))?;
+        let [unit, times] = self.mixed(&vertices, Some(square))?;
         // In one step.
-        let mut facts = self.mixed_now(&vertices);
+        let mut facts = self.mixed_now(&vertices, &unit);
         facts.extend([self.defined(&v, &now, "now"), self.defined(&v, &next, "next")]);
+        let mixed = fraction(&times.recip());
         let sum = match self.selectors(&next).filter(|_| several) {
-            None => format!("[mixed.0] + {} - [next]", fraction_times(square, "[now]")),
+            None => format!("{mixed}*[mixed.0] + {} - [next]", fraction_times(square, "[now]")),
             Some(selectors) => {
                 let acts = self.runs.modes.iter().map(|(m, _)| format!("acts.{m}"));
                 let mut sum = format!("{} - [next]", fraction_times(square, &format!("({})*[now]", selectors.join(" + "))));
                 sum += &format!(" + {}", fraction_times(square, &format!("{v}({k})*[modes-next]")));
                 for (t, acts) in acts.enumerate() {
                     facts.push(self.runs.every(&acts, &next, "-next"));
-                    sum += &format!(" + [{acts}-next]*[mixed.{t}]");
+                    sum += &format!(" + {mixed}*[{acts}-next]*[mixed.{t}]");
                 }
                 facts.push(self.runs.every("modes", &next, "-next"));
                 sum
@@ -551,7 +564,7 @@ impl<'q> Writer<'q> {
     fn stays(&mut self, start: &[Rational]) -> Option<()> {
         let (now, k, v) = (self.now.clone(), self.runs.step.clone(), self.form.clone());
         let vertices = self.vertices()?;
-        let ([form], [_]) = (self.quadratic.forms.as_slice(), vertices.as_slice()) else { return None };
+        let ([form], [_]) = (self.forms.as_slice(), vertices.as_slice()) else { return None };
         let form = form.clone();
         self.sheet.define(&v, &[&k], &[], &self.value(&now), None);
         let begin = Time::step(0);
@@ -570,11 +583,12 @@ impl<'q> Writer<'q> {
             let facts = [self.defined(&self.y[a], &begin, "y")];
             self.sheet.lemma(clause(&name, "", &[], &goal), positivity(&facts, &sum));
         }
-        self.mixed(&vertices, None)?;
-        let mut facts = self.mixed_now(&vertices);
+        let [unit, times] = self.mixed(&vertices, None)?;
+        let mut facts = self.mixed_now(&vertices, &unit);
         facts.extend([self.defined(&v, &now, "now"), self.defined(&v, &now.later(1), "next")]);
+        let sum = format!("{}*[mixed.0] + [next] - [now]", fraction(&times.recip()));
         let goal = format!("{v}({k} + 1) >= {v}({k})");
-        self.sheet.lemma(self.every_step("step", &goal), positivity(&facts, "[mixed.0] + [next] - [now]"));
+        self.sheet.lemma(self.every_step("step", &goal), positivity(&facts, &sum));
         let image = matrix::applied(&form, &y);
         let value = matrix::dot(&image, &y);
         if !value.is_positive() {

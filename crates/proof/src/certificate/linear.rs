@@ -10,7 +10,7 @@ use num_traits::Zero;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use super::sealed;
+use super::{invariance, sealed};
 use cordon_core::Rational;
 use cordon_core::exact::fraction;
 use cordon_core::system::expression::{add_term, or_zero};
@@ -169,9 +169,10 @@ impl Ellipsoid {
 }
 
 impl Invariance {
-    /// The certificate.
-    pub fn certificate(&self) -> Value {
-        sealed("invariance", json!(self))
+    /// The certificate: a theorem about the system's runs. `None` where it cannot be written: see
+    /// [`invariance::certificate`].
+    pub fn certificate(&self) -> Option<Value> {
+        invariance::certificate(self)
     }
 }
 

@@ -308,7 +308,9 @@ impl Runs {
         let names = system.state.iter().enumerate().map(|(i, name)| (name.clone(), symbol(i)));
         let symbols = Symbols(names.collect());
         let [Comparison { greater, less, relation }] = comparisons(text).ok()?.try_into().ok()?;
-        let form = greater.value(&symbols).ok()? - &less.value(&symbols).ok()?;
+        let [greater, less] = [greater.value(&symbols).ok()?, less.value(&symbols).ok()?];
+        // Of an equation the left side comes first, as in the checker.
+        let form = if relation == Sign::Zero { less - &greater } else { greater - &less };
         let form = form.affine()?;
         let (constant, coefficients) = form.parts()?;
         let nonzero = coefficients.iter().cloned().enumerate().filter(|(_, c)| !c.is_zero());

@@ -381,18 +381,16 @@ class Kernel:
             if lemma is None:
                 raise Invalid("instance", f"no lemma {use['lemma']!r:.40}")
             terms, sums = use.get("with", {}), use.get("given", {})
-            if set(terms) != set(lemma[0]):
-                raise Invalid("instance", f"terms for {set(lemma[0])} are needed")
-            terms = {v: self.poly(t, variables) for v, t in terms.items()}
+            if not (set(terms) <= set(lemma[0]) and set(sums) <= set(lemma[1])):
+                raise Invalid("instance", "no such variable or literal")
+            terms = {v: self.poly(terms.get(v, "0"), variables) for v in lemma[0]}
             if any(s == "integer" and not self.integer(terms[v], variables) for v, s in lemma[0].items()):
                 raise Invalid("instance", "an integer is needed")
-            if set(sums) != set(lemma[1]):
-                raise Invalid("instance", f"sums for {set(lemma[1])} are needed")
 
             def at(literal):
                 return sub(literal[0], lambda a: terms.get(a[1]) if a[0] == "var" else None), literal[1]
             for n, literal in lemma[1].items():
-                self.sum(at(literal), [], sums[n], facts, variables)
+                self.sum(at(literal), [], sums.get(n, "0"), facts, variables)
             put(facts, use["name"], at(lemma[2]))
         self.sum(goal, body.get("times", []), body["sum"], facts, variables)
 

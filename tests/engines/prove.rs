@@ -385,7 +385,7 @@ fn invariants_of_random_protocols_hold_when_certified() {
                 multipliers: [(0, "1".to_owned())].into(),
             }],
         };
-        let page = invariance.certificate();
+        let page = invariance.certificate().unwrap();
         let verdict = cordon_check::check(&page.to_string());
         assert_eq!(verdict.code(), 0, "{verdict}");
         certified += 1;

@@ -2,11 +2,18 @@
 //!
 //! Only writing is done here; what a certificate is worth, the independent checker says.
 
+pub mod invariance;
 pub mod linear;
+pub mod quadratic;
+pub mod runs;
+mod squares;
+pub mod theorem;
+pub mod weights;
 
 use std::path::{Path, PathBuf};
 
 use cordon_check::Verdict;
+use cordon_check::format::MAX_BYTES;
 use cordon_check::number::MAX_NUMBER;
 use cordon_spec::theorems::Subject;
 use num_bigint::BigInt;
@@ -136,11 +143,15 @@ pub fn write(folder: &Path, name: &str, certificate: &Value) -> Result<PathBuf> 
     Ok(path)
 }
 
-/// Writes a certificate to a file, and returns its path as text.
+/// Writes a certificate to a file, and returns its path as text: on lines, where that is no longer than the checker reads.
 ///
 /// # Errors
 /// The file cannot be written.
 pub fn write_file(path: &Path, certificate: &Value) -> Result<String> {
-    files::write_atomically(path, format!("{certificate:#}\n").as_bytes())?;
+    let mut text = format!("{certificate:#}\n");
+    if text.len() > MAX_BYTES {
+        text = format!("{certificate}\n");
+    }
+    files::write_atomically(path, text.as_bytes())?;
     Ok(path.display().to_string())
 }

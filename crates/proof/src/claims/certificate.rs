@@ -108,7 +108,7 @@ pub fn certificate(system: &System, proof: &Proof) -> Option<Value> {
         }
     }
     let start = START.to_owned();
-    Some(Invariance { system: linear_system(system), nodes, start, edges, claims }.certificate())
+    Invariance { system: linear_system(system), nodes, start, edges, claims }.certificate()
 }
 
 /// The certificate of a proof, accepted by the checker; or why that cannot judge it.

@@ -3,11 +3,11 @@
 use cordon_spec::theorems::{Form, StartSet, Theorem};
 use num_rational::BigRational as Rational;
 
-use super::builder::Sheet;
 use super::lemmas::{
     ABOVE, BELOW, CELL, Scope, Steps, Weights, coverage, ends, of_any_start, starts, theorem,
     weights,
 };
+use crate::certificate::theorem::Sheet;
 
 /// 7.2 where nothing is seen more than one step late: for weights up to 2/5 order is kept, and each gap
 /// keeps the part 1 - 2 eps of itself in a step.

@@ -2,10 +2,10 @@
 
 use cordon_spec::theorems::{StartSet, Theorem};
 
-use super::builder::Sheet;
 use super::lemmas::{
     Family, Scope, Steps, UPPER, ends, of_any_start, start_below, theorem, weights,
 };
+use crate::certificate::theorem::Sheet;
 
 /// 7.3: X_i <= T_i for all i and k.
 pub fn upper(scope: &Scope, steps: Steps) -> Option<Sheet> {

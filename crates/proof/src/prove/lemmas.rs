@@ -4,7 +4,7 @@ use cordon_spec::theorems::{Form, StartSet, Theorem, WeightRange};
 use num_rational::BigRational as Rational;
 use serde_json::Value;
 
-use super::builder::{Sheet, absurd, cases, clause, instance, positivity, split};
+use crate::certificate::theorem::{Sheet, absurd, cases, clause, instance, positivity, split};
 
 /// How a step is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,8 +3,8 @@
 
 use cordon_spec::theorems::{Form, StartSet, Theorem};
 
-use super::builder::Sheet;
 use super::lemmas::{Scope, Steps, coverage, starts, theorem};
+use crate::certificate::theorem::Sheet;
 
 /// Convergence: for eps <= 1/2 at the rate 1 - 8eps/(N-1)^2 in the norm of i(N-1-i), for 1/2 <= eps
 /// below the critical weight at an explicit rate in the norm of `w` (`scripts/terms.proof`).

@@ -7,7 +7,7 @@
 //! number of drones are filled in.
 
 pub mod any_size;
-mod builder;
+
 mod departing;
 mod invariants;
 mod lemmas;
@@ -19,7 +19,7 @@ mod sums;
 use cordon_spec::theorems::{Form, Theorem};
 use serde_json::Value;
 
-use builder::Sheet;
+use crate::certificate::theorem::Sheet;
 pub use lemmas::Scope;
 use lemmas::{ABOVE, BELOW, LOWER, Steps};
 

@@ -1,7 +1,7 @@
 //! The bounds of 7.2 and 7.3 are exact, and local machines compute the global run.
 
-use super::builder::Sheet;
 use super::lemmas::{Scope, Steps, coverage, number};
+use crate::certificate::theorem::Sheet;
 
 /// Beyond 1/2 a start in 7.2's set, given by formula, crosses at step 1, for every N >= 4.
 pub fn ordering_exact(scope: &Scope) -> Option<Sheet> {

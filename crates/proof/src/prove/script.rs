@@ -29,10 +29,10 @@ use std::borrow::Cow;
 
 use serde_json::Value;
 
-use super::builder::{
+use super::lemmas::{by_activity, by_class};
+use crate::certificate::theorem::{
     Sheet, absurd_times, cases, clause, induction_named, instance, positivity_times, split,
 };
-use super::lemmas::{by_activity, by_class};
 
 /// What every script may refer to.
 const LIBRARY: [(&str, &str); 7] = [
@@ -353,8 +353,8 @@ fn nodes(mut lines: &[(usize, &str)]) -> Vec<Node> {
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
-    use super::super::builder::induction;
     use super::*;
+    use crate::certificate::theorem::induction;
 
     fn read(script: &str) -> Result<Value, Fault> {
         let mut sheet = Sheet::of("coverage", "full", None);

@@ -3,10 +3,10 @@
 
 use cordon_spec::theorems::{StartSet, Theorem};
 
-use super::builder::Sheet;
 use super::lemmas::{
     Scope, Steps, TARGET, Weights, coverage, number, starts, theorem, upper_bound, weights,
 };
+use crate::certificate::theorem::Sheet;
 
 /// The proof in a script, for weights of which nothing but the range is needed.
 fn proof(theorem: Theorem, scope: &Scope, script: &str, given: &[(&str, &str)]) -> Option<Sheet> {

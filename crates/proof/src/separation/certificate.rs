@@ -71,7 +71,7 @@ fn entering(response: &Response, cone: &Cone, places: u32) -> Option<Value> {
     let mut whole = chain.unrolled(response, ">=", claims);
     whole.nodes.insert(KEPT.to_owned(), rows);
     whole.edges.extend([entry, edge(KEPT.to_owned(), Some(STEP), kept)]);
-    Some(whole.certificate())
+    whole.certificate()
 }
 
 /// Certifies that a readout is negative at a step, from any positive multiple of the start.
@@ -84,7 +84,7 @@ pub fn negative(response: &Response, found: &Negative) -> Option<Value> {
         }
         let claim = chain.claim(&against, ">")?;
         let strictly = chain.least(&against).iter().all(Signed::is_positive);
-        strictly.then(|| chain.unrolled(response, ">", vec![claim]).certificate())
+        strictly.then(|| chain.unrolled(response, ">", vec![claim]).certificate())?
     })
 }
 

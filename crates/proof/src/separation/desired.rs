@@ -135,7 +135,7 @@ pub fn smallest_gap(
         claims: claims.collect::<Option<_>>()?,
         system: LinearSystem { state: names.clone(), parameters: BTreeMap::new(), modes: updates },
     };
-    Some(whole.certificate())
+    whole.certificate()
 }
 
 /// Multipliers of the given equations that yield one of them after a step: an end drone does not move.

@@ -79,7 +79,7 @@ pub fn certificate(cone: Cone, count: usize, eps: &Rational) -> Option<Value> {
             state: names.clone(),
         },
     };
-    Some(invariance.certificate())
+    invariance.certificate()
 }
 
 /// Matrix and offset of one step in positions on \[0, 1\].

@@ -67,16 +67,17 @@ impl Kernel {
         let Some(lemma) = lemma else { return fault(RULE, format!("no lemma `{:.40}`", i.lemma)) };
         let mut terms = BTreeMap::new();
         for (name, sort) in &lemma.vars {
-            let term = self.signature.poly(field(&i.with, name)?, vars, false)?;
+            let term = self.signature.poly(named(&i.with, name), vars, false)?;
             let fits = *sort == Sort::Real || self.signature.is_integer(&term, vars);
             ensure!(fits, RULE, "`{name}` stands for integers");
             terms.insert(name.clone(), term);
         }
-        let fits = i.with.0.len() == lemma.vars.len() && i.given.0.len() <= lemma.given.len();
-        ensure!(fits, RULE, "`{:.40}` has fewer variables or literals", i.lemma);
+        let known = i.with.0.keys().all(|v| terms.contains_key(&**v))
+            && i.given.0.keys().all(|g| lemma.given.contains_key(&**g));
+        ensure!(known, RULE, "`{:.40}` has no such variable or literal", i.lemma);
         let lemma = lemma.with(&|v| terms.get(v).cloned());
         for (name, literal) in &lemma.given {
-            self.sum(literal, &[], field(&i.given, name)?, facts, vars)?;
+            self.sum(literal, &[], named(&i.given, name), facts, vars)?;
         }
         Ok(lemma.goal)
     }
@@ -221,7 +222,7 @@ impl Kernel {
     }
 }
 
-fn field<'n>(all: &'n Named<String>, name: &str) -> Result<&'n str> {
-    let missing = || fault("instance", format!("nothing stands for `{name:.40}`"));
-    all.0.get(name).map_or_else(missing, |text| Ok(text.as_str()))
+/// What is given by that name: 0 where nothing is.
+fn named<'n>(all: &'n Named<String>, name: &str) -> &'n str {
+    all.0.get(name).map_or("0", String::as_str)
 }

@@ -6,8 +6,8 @@ use cordon_core::{Error, Result, exact};
 use cordon_spec::Scalar;
 use serde_json::Value;
 
-use super::super::builder::clause;
 use super::text::{Literal, Place, Reader, Symbol, Symbols};
+use crate::certificate::theorem::clause;
 
 /// A literal about agents, at every step: known, assumed of the start, or to be proved.
 #[derive(Clone, Debug)]

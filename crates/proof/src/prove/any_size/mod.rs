@@ -20,7 +20,7 @@ use cordon_run::protocol::Family;
 use cordon_spec::Scalar;
 use serde_json::Value;
 
-use super::builder::{Sheet, clause, instance, positivity};
+use crate::certificate::theorem::{Sheet, clause, instance, positivity};
 use crate::claims::search::End;
 use clause::{Clause, goal, read_clause};
 use search::Search;

@@ -13,10 +13,12 @@ use cordon_spec::Scalar;
 use num_traits::Zero;
 use serde_json::{Value, json};
 
-use super::super::builder::{Sheet, absurd, cases, clause, induction, instance, positivity, split};
 use super::clause::{Clause, moved};
 use super::sums::{Fact, sum};
 use super::text::{Literal, Place, Symbol, Symbols};
+use crate::certificate::theorem::{
+    Sheet, absurd, cases, clause, induction, instance, positivity, split,
+};
 
 /// The fact that says on which side of the middle of its range a parameter is.
 const HALF: &str = "half";

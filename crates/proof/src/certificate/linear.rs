@@ -1,4 +1,4 @@
-//! Certificates about a linear system: what the kinds `invariance`, `quadratic`, `counterexample` and `ellipsoid`
+//! Certificates about a linear system: what the kinds `invariance`, `counterexample` and `ellipsoid`
 //! hold.
 //!
 //! Forms are text in the checker's own syntax: sums and products of numbers (`3/4`), names and brackets.
@@ -76,30 +76,6 @@ pub struct NodeClaim {
     pub holds: String,
     /// The multipliers of the node's literals.
     pub multipliers: Multipliers,
-}
-
-/// That readouts y tend to 0, or do not: by a quadratic form y'Py.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Quadratic {
-    /// What runs.
-    pub system: LinearSystem,
-    /// y0, y1, ...: affine forms of the state, at most 200.
-    pub readouts: Vec<String>,
-    /// For each mode and each readout: what it is after a step, linear in y0, y1, ... and affine in each parameter.
-    pub maps: BTreeMap<String, Vec<String>>,
-    /// P for every mode, as a lower triangle (row i has i + 1 numbers).
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub matrix: Option<Vec<Vec<String>>>,
-    /// In its place a P for each mode, which measures where that mode acts next.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub matrices: BTreeMap<String, Vec<Vec<String>>>,
-    /// All y tend to 0: P > 0 and rate^2 P - A'PA >= 0 at every vertex, 0 <= rate < 1.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub rate: Option<String>,
-    /// In its place a state from which they do not: A'PA - P >= 0 and y'Py > 0 there; no ranges.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub start: Option<Vec<String>>,
 }
 
 /// A run that ends where a claim fails.
@@ -197,13 +173,6 @@ impl Invariance {
     /// [`invariance::certificate`].
     pub fn certificate(&self) -> Option<Value> {
         invariance::certificate(self)
-    }
-}
-
-impl Quadratic {
-    /// The certificate.
-    pub fn certificate(&self) -> Value {
-        sealed("quadratic", json!(self))
     }
 }
 

@@ -10,8 +10,9 @@
 use num_traits::{One, Signed, ToPrimitive};
 use serde_json::Value;
 
-use super::{Quotient, full, short, texts};
+use super::{Quotient, full, short};
 use crate::certificate;
+use crate::certificate::quadratic::Course;
 use crate::claims::doubles::{
     Matrix, dot, fine_spectral_radius, identity, image, images_of_unit, largest, moved,
     negative_direction, plus, spectral_radius,
@@ -20,7 +21,7 @@ use crate::claims::pinned::with_pinned;
 use crate::claims::readouts::{self, Readouts};
 use crate::claims::search::Choice;
 use crate::claims::words::as_one_step;
-use cordon_core::exact::{fraction, to_f64};
+use cordon_core::exact::to_f64;
 use cordon_core::linear::matrix;
 use cordon_core::linear::simplest::strictly_between;
 use cordon_core::system::{Schedule, System};
@@ -115,7 +116,9 @@ fn in_every_step(system: &System) -> Result<Option<Contraction>> {
                 }
             }
             let Some(forms) = falling_forms(&maps, count, to_f64(&rate)) else { continue };
-            for bits in [12, 24, 40] {
+            // Of many readouts with longer numbers what is left over in a step is near the identity.
+            let dense = quotient.readouts.all.len() > FEW;
+            for bits in if dense { [24, 30, 40] } else { [12, 24, 40] } {
                 let Some(forms) = rounded(&forms, bits) else { continue };
                 match tried(&forms)? {
                     Judged::Accepted(found) => return Ok(Some(*found)),
@@ -267,18 +270,13 @@ fn checked(
         let is_fall = |f: Matrix| negative_direction(&f, -1e-9 * scale).is_none();
         doubles.iter().all(|next| fall(next).is_some_and(is_fall))
     });
-    let Some(mut certificate) = quotient.certificate(system).filter(|_| falls) else {
+    if !falls {
+        return Ok(Judged::Rejected);
+    }
+    let course = Course::Falls(rate.clone());
+    let Some(certificate) = quotient.certificate(system, forms.clone(), course) else {
         return Ok(Judged::Rejected);
     };
-    match lower {
-        [one] => certificate.matrix = Some(texts(one)),
-        all => {
-            let names = system.modes.iter().map(|m| m.name.clone());
-            certificate.matrices = names.zip(all.iter().map(|m| texts(m))).collect();
-        }
-    }
-    certificate.rate = Some(fraction(rate));
-    let certificate = certificate.certificate();
     match certificate::judged(&certificate) {
         Ok(_) => Ok(Judged::Accepted(Box::new(Contraction {
             rate: rate.clone(),

@@ -5,8 +5,9 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use serde_json::Value;
 
 use super::split::growing_form;
-use super::{Quotient, full, texts};
+use super::{Quotient, full};
 use crate::certificate;
+use crate::certificate::quadratic::Course;
 use crate::claims::bounds::extreme;
 use crate::claims::doubles::{
     Matrix, fine_spectral_radius, identity, inverse, largest, moved, negative_direction, plus,
@@ -17,7 +18,7 @@ use crate::claims::readouts::{self, Readouts};
 use crate::claims::search::Choice;
 use crate::claims::words::{as_one_step, that_may_not_vanish};
 use crate::claims::{PROOF, constants_up_to};
-use cordon_core::exact::{fraction, to_f64};
+use cordon_core::exact::to_f64;
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::feasible::{Constraint, Sign, point_within};
 use cordon_core::linear::matrix;
@@ -94,12 +95,8 @@ fn growth(system: &System) -> Result<Option<(Vec<Rational>, Value)>> {
         let Some(start) = positive_start(system, &quotient.readouts, &form, &direction) else {
             continue;
         };
-        let Some(mut certificate) = quotient.certificate(system) else { return Ok(None) };
-        let lower: Vec<Vec<Rational>> =
-            form.iter().enumerate().map(|(i, row)| row[..=i].to_vec()).collect();
-        certificate.matrix = Some(texts(&lower));
-        certificate.start = Some(start.iter().map(fraction).collect());
-        let certificate = certificate.certificate();
+        let course = Course::Stays(start.clone());
+        let Some(certificate) = quotient.certificate(system, vec![form], course) else { continue };
         match certificate::judged(&certificate) {
             Ok(_) => return Ok(Some((start, certificate))),
             Err(cordon_core::Error::Rejected(_) | cordon_core::Error::Input(_)) => {}

@@ -13,13 +13,16 @@ pub use contraction::{Contraction, contraction};
 pub use growth::{Growth, grows};
 pub use unfixed::{Unfixed, unfixed};
 
+use std::collections::BTreeMap;
+
+use serde_json::Value;
+
 use super::certificate::linear_system;
 use super::doubles::{Matrix, product, spectral_radius};
 use super::readouts::{self, QuotientRows, Readouts};
-use crate::certificate::linear::Quadratic;
+use crate::certificate::quadratic::{Course, Quadratic};
 use cordon_core::Rational;
-use cordon_core::exact::{fraction, to_f64};
-use cordon_core::system::expression::sum_text;
+use cordon_core::exact::to_f64;
 use cordon_core::system::{Parameter, System};
 
 /// Most readouts: as many as the checker takes.
@@ -110,32 +113,25 @@ impl Quotient {
         self.maps.iter().map(double).collect()
     }
 
-    /// The certificate's fields that do not depend on the form.
-    fn certificate(&self, system: &System) -> Option<Quadratic> {
-        let names: Vec<String> = (0..self.readouts.all.len()).map(|j| format!("y{j}")).collect();
-        let parameter = |v: u32| system.parameters.get(v as usize).map_or("?", |p| p.name.as_str());
-        let text = |row: &std::collections::BTreeMap<usize, cordon_core::scalar::Polynomial>| {
-            let terms = row.iter().flat_map(|(j, a)| {
-                let name = names.get(*j).map(String::as_str);
-                a.terms().map(move |(m, c)| {
-                    (c, m.powers().map(|(v, _)| parameter(v)).chain(name).collect::<Vec<_>>())
-                })
-            });
-            sum_text(terms)
-        };
-        let maps = system.modes.iter().zip(&self.rows);
-        Some(Quadratic {
+    /// The certificate that forms do so, one or one for each mode.
+    fn certificate(&self, system: &System, forms: Vec<Form>, course: Course) -> Option<Value> {
+        let names = system.modes.iter().map(|m| m.name.clone());
+        let own = names.clone().zip(forms.iter().cloned()).collect::<BTreeMap<_, _>>();
+        let several = forms.len() > 1;
+        let quadratic = Quadratic {
             system: linear_system(system),
-            readouts: self.readouts.texts(system)?,
-            maps: maps.map(|(m, rows)| (m.name.clone(), rows.iter().map(text).collect())).collect(),
-            ..Quadratic::default()
-        })
+            readouts: self.readouts.forms(),
+            maps: names.zip(self.rows.iter().cloned()).collect(),
+            parameters: system.parameters.iter().map(|p| p.name.clone()).collect(),
+            forms: if several { own.into_values().collect() } else { forms },
+            course,
+        };
+        quadratic.certificate()
     }
 }
-/// The rows as the certificate has them.
-fn texts(lower: &[Vec<Rational>]) -> Vec<Vec<String>> {
-    lower.iter().map(|r| r.iter().map(fraction).collect()).collect()
-}
+
+/// A quadratic form, symmetric.
+type Form = Vec<Vec<Rational>>;
 
 /// The symmetric matrix with this lower triangle.
 fn full(lower: &[Vec<Rational>]) -> Vec<Vec<Rational>> {

@@ -2,8 +2,8 @@
 //! long.
 //!
 //! If M bounds |A| entry by entry at every corner, M w <= c w and M'v <= c v with v, w > 0, then the diagonal form
-//! v_i / w_i falls by c (Schur's test). Where steps keep means and are symmetric, deviations from the mean
-//! fall: of m differences y to one agent (m + 1) |y|^2 - (sum of y)^2.
+//! v_i / w_i falls by c (Schur's test). Where steps are symmetric, so does the sum of squared differences along links: of
+//! differences to one agent it is a form with an entry a link.
 
 use num_traits::{FromPrimitive, One, Zero};
 
@@ -24,13 +24,35 @@ pub fn forms(maps: &[(usize, Matrix)], rate: f64) -> Vec<Vec<Vec<Rational>>> {
     let of_diagonal = |d: Vec<Rational>| {
         lower(&|i, j| if i == j { d.get(i).cloned().unwrap_or_default() } else { zero.clone() })
     };
-    let deviation = lower(&|i, j| {
-        let all = Rational::from_integer((n + 1).into());
-        if i == j { all - &one } else { -&one }
-    });
     let plain = of_diagonal(vec![one.clone(); n]);
     let weighted = weights(maps, n, rate).map(of_diagonal);
-    weighted.into_iter().chain([plain, deviation]).collect()
+    let links = links(first).map(|l| lower(&|i, j| l[i][j].clone()));
+    weighted.into_iter().chain([plain]).chain(links).collect()
+}
+
+/// The form of differences along links, in whole numbers, if there is a link. In every column of the map what most rows have is taken
+/// from agent 0, and the rest is the links' weights.
+fn links(map: &Matrix) -> Option<Vec<Vec<Rational>>> {
+    let n = map.len();
+    let column = |j: usize| {
+        let mut others: Vec<f64> = (0..n).filter(|i| *i != j).map(|i| map[i][j]).collect();
+        others.sort_by(f64::total_cmp);
+        others.get(others.len() / 2).copied().unwrap_or_default()
+    };
+    let common: Vec<f64> = (0..n).map(column).collect();
+    let between = |i: usize, j: usize| (map[i][j] - common[j] + map[j][i] - common[i]) / 2.0;
+    let weights: Matrix = (0..n)
+        .map(|i| (0..n).map(|j| if i == j { -common[j] } else { between(i, j) }).collect())
+        .collect();
+    let positive = weights.iter().flatten().filter(|w| **w > 1e-9);
+    let least = positive.copied().fold(f64::INFINITY, f64::min);
+    let whole = |x: f64| {
+        Some(Rational::from_integer(num_bigint::BigInt::from_f64((x / least * LEAST).round())?))
+    };
+    // On the diagonal all links of an agent, that to agent 0 among them.
+    let entry =
+        |i: usize, j: usize| whole(if i == j { weights[i].iter().sum() } else { -weights[i][j] });
+    (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
 }
 
 /// The diagonal, in whole numbers.

@@ -15,6 +15,7 @@ mod export_smt2;
 mod fast;
 mod flow;
 mod impulse_response;
+mod invariants;
 mod own;
 mod own_random;
 mod parsers;

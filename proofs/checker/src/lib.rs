@@ -19,6 +19,7 @@ pub mod refutation;
 pub mod system;
 pub mod vector;
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use cordon_spec::coverage::exec_coverage;
@@ -123,19 +124,23 @@ pub fn check_of(text: &str, step: Step) -> Verdict {
 /// # Errors
 /// What is wrong with it.
 pub fn assume(s: &Statement, kernel: &mut Kernel, protocol: Step) -> Result<Vec<String>> {
-    let mut words = Vec::new();
+    let mut spoken: BTreeMap<String, Vec<&str>> = BTreeMap::new();
     for (name, Function { of, to }) in &s.functions.0 {
         kernel.function(name, *of, *to)?;
-        let met = "that meets what is assumed, if there is one";
-        words.push(format!("for every {to} function {name} of arity {of} {met}"));
+        let what = format!(
+            "for all {to} functions of arity {of} that meet what is assumed, if there are such:"
+        );
+        spoken.entry(what).or_default().push(name);
     }
+    let mut words = Vec::new();
     if let Some(system) = &s.system {
-        words.insert(0, system::install(system, kernel, protocol)?);
+        words.push(system::install(system, kernel, protocol)?);
     }
     for (name, sort) in &s.constants.0 {
         kernel.constant(name, *sort)?;
-        words.push(format!("for every {sort} {name}"));
+        spoken.entry(format!("for all {sort}s")).or_default().push(name);
     }
+    words.extend(spoken.iter().map(|(what, names)| format!("{what} {}", names.join(", "))));
     for d in &s.definitions {
         words.push(format!("where {}", kernel.define(d)?));
     }

@@ -43,7 +43,7 @@ def charge(n):
 # ---- Reading: a schema is a type name, [item], {"*": item} or a struct of fields ("field?" is optional).
 CLAUSE = {"name": "text", "for?": [{"name": "text", "sort": "sort"}], "given?": [{"name": "text", "holds": "text"}], "goal": "text"}
 DEFINITION = {
-    "name": "text", "of?": ["text"], "from?": "text", "base?": ["text"], "step": "text", "scale?": "text",
+    "name": "text", "of": ["text"], "from": "text", "base?": ["text"], "step": "text", "scale?": "text",
 }
 SYSTEM = {"protocol": "text", "steps": "text", "weight?": "text"}
 STATEMENT = {
@@ -60,7 +60,7 @@ RULES = {
     "split": {"name": "text", "on": "text", "above": "proof", "equal": "proof", "below": "proof"},
     "induction": {"on": "text", "variable": "text", "hypothesis": "text", "earlier": "text", "base": "proof", "step": "proof"},
 }
-PROOFS = {"definitions?": [DEFINITION], "lemmas?": [{"clause": CLAUSE, "proof": "proof"}], "conclusions": {"*": "proof"}}
+PROOFS = {"lemmas?": [{"clause": CLAUSE, "proof": "proof"}], "conclusions": {"*": "proof"}}
 NUMBERS, FACTORS = ["number"], {"*": "number"}
 LINEAR = {"state": ["text"], "parameters?": {"*": "range"}, "modes": {"*": {"*": "text"}}}
 KINDS = {
@@ -332,23 +332,20 @@ class Kernel:
         name, of, base = self.fresh(d["name"]), {}, d.get("base", [])
         for argument in d.get("of", []):
             of[self.fresh(argument, of)] = "integer"
-        given, start, last = {}, {}, list(of)[-1] if of else None
-        if last is None:
-            need(not base and not d.get("from"), "recursion without an argument")
-        else:
-            start = self.poly(d.get("from", ""), {})
-            need(self.integer(start, {}), "`from` is no integer")
-            given["from"] = add(var(last), start, -1), NONNEGATIVE
+        need(of, "recursion without an argument")
+        last, start = list(of)[-1], self.poly(d["from"], {})
+        need(self.integer(start, {}), "`from` is no integer")
+        given = {"from": (add(var(last), start, -1), NONNEGATIVE)}
         parameters = {v: s for v, s in of.items() if v != last}
 
         def value(at):
-            return app(name, *[var(v) for v in parameters], *([at] if last else []))
+            return app(name, *map(var, parameters), at)
         factor = self.poly(d.get("scale", "1"), of)
         if "scale" in d:
             given["scale"] = factor, POSITIVE
         first = [add(value(add(start, const(j))), self.poly(b, parameters), -1) for j, b in enumerate(base)]
         self.functions[name] = len(of), "real"
-        step, here = self.poly(d["step"], of), var(last) if last else {}
+        step, here = self.poly(d["step"], of), var(last)
         known = [next(iter(value(add(here, const(j)))))[0] for j in range(len(base))]
         need(all(a in known for a in atoms(step) if a[:2] == ("app", name)), "`step` reads other arguments")
         for j, p in enumerate(first):
@@ -531,19 +528,14 @@ def theorem(t):
         kernel.define(d)
     for a in s.get("assumptions", []):
         kernel.learn(a["name"], kernel.clause(a))
-    goals = [(c["name"], kernel.clause(c)) for c in s["conclusions"]]
-    for d in proof.get("definitions", []):
-        kernel.define(d)
-    for lemma in proof.get("lemmas", []):
-        clause = kernel.clause(lemma["clause"])
-        kernel.prove(clause, lemma["proof"])
-        kernel.learn(lemma["clause"]["name"], clause)
-    for name, clause in goals:
-        if name not in proof["conclusions"]:
+    lemmas = [(lemma["clause"], lemma["proof"]) for lemma in proof.get("lemmas", [])]
+    for written, given in [*lemmas, *((c, proof["conclusions"].get(c["name"])) for c in s["conclusions"])]:
+        clause = kernel.clause(written)
+        if given is None:
             raise Invalid("conclusion", "not proved")
-        kernel.prove(clause, proof["conclusions"][name])
-        kernel.learn(name, clause)
-    if len(proof["conclusions"]) != len(goals) or not goals:
+        kernel.prove(clause, given)
+        kernel.learn(written["name"], clause)
+    if len(proof["conclusions"]) != len(s["conclusions"]) or not s["conclusions"]:
         raise Invalid("conclusion", "a proof of nothing that the statement says")
 
 

@@ -178,8 +178,6 @@ fn certificates_meet_their_schema() {
         "counterexample",
         "ellipsoid",
         "growth",
-        "invariance",
-        "quadratic",
         "refutation",
         "refutation, activation",
         "refutation, delay",

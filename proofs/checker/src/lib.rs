@@ -157,34 +157,21 @@ fn prove<'t>(t: &'t Theorem, protocol: Step, step: &mut &'t str) -> Result<Shown
     *step = "statement";
     let (mut kernel, s) = (Kernel::default(), &t.statement);
     let mut words = assume(s, &mut kernel, protocol)?;
-    // What is to be proved, before the proof brings its own names.
-    let goals: Vec<_> =
-        s.conclusions.iter().map(|c| Ok((c, kernel.clause(c)?))).collect::<Result<_>>()?;
-    for d in &t.proof.definitions {
-        *step = &d.name;
-        kernel.define(d)?;
-    }
-    let mut proved = 0;
-    for lemma in &t.proof.lemmas {
-        *step = &lemma.clause.name;
-        let clause = kernel.clause(&lemma.clause)?;
-        kernel.check(&clause, &lemma.proof)?;
-        kernel.add(&lemma.clause.name, clause)?;
-        proved += 1;
-    }
-    for (written, clause) in goals {
+    let goals = s.conclusions.iter().map(|c| (c, t.proof.conclusions.0.get(&c.name)));
+    let lemmas = t.proof.lemmas.iter().map(|l| (&l.clause, Some(&l.proof)));
+    for (place, (written, proof)) in lemmas.chain(goals).enumerate() {
         *step = &written.name;
-        let Some(proof) = t.proof.conclusions.0.get(&written.name) else {
-            return fault("conclusion", "not proved");
-        };
+        let clause = kernel.clause(written)?;
+        let Some(proof) = proof else { return fault("conclusion", "not proved") };
         kernel.check(&clause, proof)?;
-        words.push(format!("proved: {clause}"));
+        if place >= t.proof.lemmas.len() {
+            words.push(format!("proved: {clause}"));
+        }
         kernel.add(&written.name, clause)?;
-        proved += 1;
     }
     *step = "statement";
     if t.proof.conclusions.0.len() != s.conclusions.len() || s.conclusions.is_empty() {
         return fault("conclusion", "a proof of nothing that the statement says");
     }
-    Ok((words.join("\n  "), proved))
+    Ok((words.join("\n  "), t.proof.lemmas.len() + s.conclusions.len()))
 }

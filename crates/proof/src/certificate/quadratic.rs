@@ -20,13 +20,13 @@ use super::linear::{LinearSystem, form};
 use super::runs::{Runs, Time, Turns};
 use super::squares::squares;
 use super::theorem::{Sheet, clause, induction, instance, positivity, split};
+use crate::claims::doubles::negative_direction;
+use cordon_core::Rational;
 use cordon_core::exact::{self, fraction};
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::matrix::{self, Matrix, product, transposed};
 use cordon_core::scalar::Polynomial;
 use cordon_core::system::expression::{add_term, or_zero};
-use cordon_core::Rational;
-use crate::claims::doubles::negative_direction;
 
 /// What readouts y of a system do, by a quadratic form y'Py.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -71,7 +71,6 @@ struct Vertex {
 
 type Names = Vec<String>;
 
-
 /// A certificate in the making.
 struct Writer<'q> {
     quadratic: &'q Quadratic,
@@ -112,27 +111,54 @@ impl<'q> Writer<'q> {
     fn new(quadratic: &'q Quadratic) -> Option<Self> {
         let entries = || quadratic.forms.iter().flatten().flatten();
         let scale = entries().fold(BigInt::one(), |d, x| d.lcm(x.denom()));
-        let common = entries().fold(BigInt::zero(), |d, x| d.gcd(&(x.numer() * (&scale / x.denom()))));
+        let common =
+            entries().fold(BigInt::zero(), |d, x| d.gcd(&(x.numer() * (&scale / x.denom()))));
         let unit = if common.is_zero() { return None } else { Rational::new(scale, common) };
         let forms = quadratic.forms.iter().map(|p| matrix_times(&unit, p)).collect();
         let mut sheet = Sheet::default();
         let mut runs = Runs::declare(&mut sheet, &quadratic.system, Turns::Any)?;
+        if quadratic.forms.len() != 1
+            && !(runs.chooses() && quadratic.forms.len() == runs.modes.len())
+        {
+            return None;
+        }
         let mut ranges = runs.ranges.iter();
         let mut values = BTreeMap::new();
         for (name, [low, high]) in &quadratic.system.parameters {
             let value = match low == high {
                 true => Parameter::Point(exact::parse(name, low).ok()?),
-                false => ranges.next().map(|(f, ends)| Parameter::Range(f.clone(), ends.clone()))?,
+                false => {
+                    ranges.next().map(|(f, ends)| Parameter::Range(f.clone(), ends.clone()))?
+                }
             };
             values.insert(name, value);
         }
-        let values = quadratic.parameters.iter().map(|p| values.remove(p)).collect::<Option<_>>()?;
+        let values =
+            quadratic.parameters.iter().map(|p| values.remove(p)).collect::<Option<_>>()?;
         let [y, z, u, w, q] = ["y", "z", "u", "w", "q"].map(|stem| runs.names.stem(stem));
-        let [form, bound, s, earlier] = ["V", "r", "s", "earlier"].map(|name| runs.names.fresh(name));
-        let indexed = |stem: String| (0..quadratic.readouts.len()).map(|j| format!("{stem}{j}")).collect();
+        let [form, bound, s, earlier] =
+            ["V", "r", "s", "earlier"].map(|name| runs.names.fresh(name));
+        let indexed =
+            |stem: String| (0..quadratic.readouts.len()).map(|j| format!("{stem}{j}")).collect();
         let [y, z, u] = [y, z, u].map(indexed);
         let now = Time { variable: Some((runs.step.clone(), 0)), stride: 1, offset: 0 };
-        Some(Self { quadratic, sheet, runs, now, values, y, form, bound, z, u, w, q, s, earlier, forms })
+        Some(Self {
+            quadratic,
+            sheet,
+            runs,
+            now,
+            values,
+            y,
+            form,
+            bound,
+            z,
+            u,
+            w,
+            q,
+            s,
+            earlier,
+            forms,
+        })
     }
 
     /// The readouts at that time.
@@ -143,15 +169,22 @@ impl<'q> Writer<'q> {
     /// A readout of the state at that time.
     fn readout(&self, a: usize, time: &Time) -> Option<String> {
         let (constant, coefficients) = self.quadratic.readouts.get(a)?.parts()?;
-        let names: Names = self.runs.state.iter().map(|v| format!("{v}({})", time.text())).collect();
+        let names: Names =
+            self.runs.state.iter().map(|v| format!("{v}({})", time.text())).collect();
         Some(form(constant, names.iter().map(String::as_str).zip(coefficients)))
     }
 
     /// What is defined, at that time: a fact of that name.
     fn defined(&self, function: &str, time: &Time, name: &str) -> Value {
         let (k, offset) = (&self.runs.step, time.offset);
-        let from = if time.variable.is_some() { format!("[{k}] + {offset}") } else { offset.to_string() };
-        instance(name, &format!("{function}.step"), &format!("{k}={}", time.text()), &format!("from={from}"))
+        let from =
+            if time.variable.is_some() { format!("[{k}] + {offset}") } else { offset.to_string() };
+        instance(
+            name,
+            &format!("{function}.step"),
+            &format!("{k}={}", time.text()),
+            &format!("from={from}"),
+        )
     }
 
     /// A lemma about every step, or about this one.
@@ -168,7 +201,7 @@ impl<'q> Writer<'q> {
     /// The hypothesis of an induction, of this step.
     fn before(&self) -> Value {
         let (k, earlier) = (&self.runs.step, &self.earlier);
-        instance("before", "IH", &format!("{earlier}={k}"), &format!("{k}=[{k}], {earlier}=0"))
+        instance("before", "IH", &format!("{earlier}={k}"), &format!("{k}=[{k}]"))
     }
 
     /// The modes' selectors at that time; none where one mode acts in all steps.
@@ -196,7 +229,11 @@ impl<'q> Writer<'q> {
             }
             Some((*b, text))
         };
-        rows.get(a)?.iter().map(text).filter(|t| t.as_ref().is_none_or(|(_, t)| !t.is_empty())).collect()
+        rows.get(a)?
+            .iter()
+            .map(text)
+            .filter(|t| t.as_ref().is_none_or(|(_, t)| !t.is_empty()))
+            .collect()
     }
 
     /// Defines readouts, and shows what a step makes of them.
@@ -225,13 +262,15 @@ impl<'q> Writer<'q> {
             let mut read = BTreeMap::new();
             for mode in 0..self.runs.modes.len() {
                 let row = self.row(mode, a)?;
-                let by = selectors.as_ref().map_or("1", |s| &s[mode]);
-                let terms: Vec<String> = row.iter().map(|(b, c)| format!("({c})*{}", here[*b])).collect();
+                let by = selectors.as_ref().map(|s| format!("{}*", s[mode])).unwrap_or_default();
+                let terms: Vec<String> =
+                    row.iter().map(|(b, c)| format!("({c})*{}", here[*b])).collect();
+                let terms = terms.join(" + ");
                 if !terms.is_empty() {
-                    goal.push(format!("{by}*({})", terms.join(" + ")));
+                    goal.push(if by.is_empty() { terms } else { format!("{by}({terms})") });
                 }
                 for (b, c) in &row {
-                    sum += &format!(" - {by}*({c})*[{}]", self.y[*b]);
+                    sum += &format!(" - {by}({c})*[{}]", self.y[*b]);
                     read.insert(*b, ());
                 }
             }
@@ -247,7 +286,8 @@ impl<'q> Writer<'q> {
     /// Squares are not negative.
     fn square(&mut self) {
         let s = &self.s;
-        let [above, equal, below] = ["[sign]*[sign]", &format!("[sign]*{s}"), "[sign]*[sign]"].map(|sum| positivity(&[], sum));
+        let [above, equal, below] = ["[sign]*[sign]", &format!("[sign]*{s}"), "[sign]*[sign]"]
+            .map(|sum| positivity(&[], sum));
         let clause = clause("square", &format!("{s}:real"), &[], &format!("{s}*{s} >= 0"));
         self.sheet.lemma(clause, split("sign", s, [above, equal, below]));
     }
@@ -260,7 +300,8 @@ impl<'q> Writer<'q> {
         let (mut given, mut facts, mut long) = (Vec::new(), Vec::new(), Vec::new());
         let mut sum = String::new();
         for (i, (factor, entries)) in squares.iter().enumerate() {
-            let entries: Vec<(usize, Rational)> = entries.iter().map(|(j, c)| (*j, Rational::from_integer(c.clone()))).collect();
+            let entries: Vec<(usize, Rational)> =
+                entries.iter().map(|(j, c)| (*j, Rational::from_integer(c.clone()))).collect();
             let text = linear(&entries, &self.z);
             let (factor, fact) = (factor * &scale, format!("[s{i}]"));
             let root = if entries.len() > 2 {
@@ -268,7 +309,7 @@ impl<'q> Writer<'q> {
                 let root = format!("{}{}", self.q, long.len());
                 given.push(format!("e{i}: {root} = {text}"));
                 add_term(&mut sum, &-&factor, &[&format!("[e{i}]"), &format!("({text} + {root})")]);
-                long.push((root.clone(), format!("e{i}"), text));
+                long.push((root.clone(), text));
                 root
             } else {
                 text
@@ -277,9 +318,6 @@ impl<'q> Writer<'q> {
             facts.push(instance(&format!("s{i}"), "square", &format!("{}={root}", self.s), ""));
         }
         let goal = format!("{} >= 0", quadratic(&matrix_times(&scale, m), &self.z));
-        let with = |variables: &mut dyn Iterator<Item = (String, String)>| {
-            variables.map(|(a, b)| format!("{a}={b}")).collect::<Vec<_>>().join(", ")
-        };
         let roots: Names = long.iter().map(|(root, ..)| root.clone()).collect();
         let under = if long.is_empty() { name.to_owned() } else { format!("{name}.squares") };
         let given: Vec<&str> = given.iter().map(String::as_str).collect();
@@ -287,9 +325,9 @@ impl<'q> Writer<'q> {
         self.sheet.lemma(clause(&under, &reals(&[&self.z, &roots]), &given, &goal), proof);
         if !long.is_empty() {
             let same = self.z.iter().map(|z| (z.clone(), z.clone()));
-            let all = with(&mut same.chain(long.iter().map(|(root, _, text)| (root.clone(), text.clone()))));
-            let given = with(&mut long.iter().map(|(_, e, _)| (e.clone(), "0".to_owned())));
-            let proof = positivity(&[instance("squares", &under, &all, &given)], "[squares]");
+            let all: Names = same.chain(long).map(|(v, term)| format!("{v}={term}")).collect();
+            let proof =
+                positivity(&[instance("squares", &under, &all.join(", "), "")], "[squares]");
             self.sheet.lemma(clause(name, &reals(&[&self.z]), &[], &goal), proof);
         }
         Some(scale)
@@ -300,29 +338,52 @@ impl<'q> Writer<'q> {
         let mut all = Vec::new();
         for (mode, name) in self.runs.written.iter().enumerate() {
             let rows = self.quadratic.maps.get(name)?;
-            let mut occur: Vec<usize> = rows.iter().flat_map(BTreeMap::values).flat_map(Polynomial::terms)
-                .flat_map(|(m, _)| m.powers().map(|(p, _)| p as usize).collect::<Vec<_>>()).collect();
+            let mut occur: Vec<usize> = rows
+                .iter()
+                .flat_map(BTreeMap::values)
+                .flat_map(Polynomial::terms)
+                .flat_map(|(m, _)| m.powers().map(|(p, _)| p as usize).collect::<Vec<_>>())
+                .collect();
             occur.sort_unstable();
             occur.dedup();
-            let number = |p: &Parameter| if let Parameter::Point(x) = p { x.clone() } else { Rational::zero() };
-            let facts = self.selectors(&self.now).map(|_| format!("acts.{}", self.runs.modes[mode].0));
-            let mut corners = vec![(self.values.iter().map(number).collect::<Vec<_>>(), Rational::one(), Vec::from_iter(facts))];
+            let number = |p: &Parameter| {
+                if let Parameter::Point(x) = p { x.clone() } else { Rational::zero() }
+            };
+            let facts =
+                self.selectors(&self.now).map(|_| format!("acts.{}", self.runs.modes[mode].0));
+            let mut corners = vec![(
+                self.values.iter().map(number).collect::<Vec<_>>(),
+                Rational::one(),
+                Vec::from_iter(facts),
+            )];
             for p in occur {
                 let Parameter::Range(f, [low, high]) = self.values.get(p)? else { continue };
                 // At an end, how far the other is.
                 let ends = [(low, "high"), (high, "low")];
-                corners = corners.iter().flat_map(|(values, factor, facts)| ends.iter().map(move |(end, fact)| {
-                    let (mut values, mut facts) = (values.clone(), facts.clone());
-                    values[p] = (*end).clone();
-                    facts.push(format!("{fact}.{f}"));
-                    (values, factor / (high - low), facts)
-                })).collect();
+                corners = corners
+                    .iter()
+                    .flat_map(|(values, factor, facts)| {
+                        ends.iter().map(move |(end, fact)| {
+                            let (mut values, mut facts) = (values.clone(), facts.clone());
+                            values[p] = (*end).clone();
+                            facts.push(format!("{fact}.{f}"));
+                            (values, factor / (high - low), facts)
+                        })
+                    })
+                    .collect();
             }
             for (values, factor, facts) in corners {
-                let entry = |row: &BTreeMap<usize, Polynomial>, b| row.get(&b).map_or_else(Rational::zero, |e: &Polynomial| {
-                    e.evaluate(|p| values.get(p as usize).cloned().unwrap_or_else(Rational::zero))
-                });
-                let map = rows.iter().map(|row| (0..rows.len()).map(|b| entry(row, b)).collect()).collect();
+                let entry = |row: &BTreeMap<usize, Polynomial>, b| {
+                    row.get(&b).map_or_else(Rational::zero, |e: &Polynomial| {
+                        e.evaluate(|p| {
+                            values.get(p as usize).cloned().unwrap_or_else(Rational::zero)
+                        })
+                    })
+                };
+                let map = rows
+                    .iter()
+                    .map(|row| (0..rows.len()).map(|b| entry(row, b)).collect())
+                    .collect();
                 all.push(Vertex { mode, factor, facts, map });
             }
         }
@@ -335,7 +396,8 @@ impl<'q> Writer<'q> {
         match (self.forms.as_slice(), self.selectors(time)) {
             ([one], _) => quadratic(one, &y),
             (all, Some(selectors)) => {
-                let terms = selectors.iter().zip(all).map(|(m, p)| format!("{m}*({})", quadratic(p, &y)));
+                let terms =
+                    selectors.iter().zip(all).map(|(m, p)| format!("{m}*({})", quadratic(p, &y)));
                 terms.collect::<Vec<_>>().join(" + ")
             }
             _ => String::new(),
@@ -354,7 +416,8 @@ impl<'q> Writer<'q> {
         let unit = Rational::from_integer(entries.fold(BigInt::one(), |d, x| d.lcm(x.denom())));
         let whole = Rational::from_integer(square.denom().clone());
         let times = &unit * &unit * &whole;
-        let weights: Names = (0..vertices.len()).filter(|_| several).map(|i| format!("{}{i}", self.w)).collect();
+        let weights: Names =
+            (0..vertices.len()).filter(|_| several).map(|i| format!("{}{i}", self.w)).collect();
         let maps: Vec<Matrix> = vertices.iter().map(|v| matrix_times(&unit, &v.map)).collect();
         let image = |i: usize, a: usize| linear(&sparse(&maps[i][a]), &z);
         let mut given: Names = weights.iter().map(|w| format!("{w}: {w} >= 0")).collect();
@@ -368,24 +431,34 @@ impl<'q> Writer<'q> {
         }
         let given: Vec<&str> = given.iter().map(String::as_str).collect();
         let gaps = |i: usize| -> Names {
-            let gap = |(a, u): (usize, &String)| format!("{} - {}", image(i, a), fraction_times(&unit, u));
+            let gap = |(a, u): (usize, &String)| {
+                format!("{} - {}", image(i, a), fraction_times(&unit, u))
+            };
             u.iter().enumerate().map(gap).collect()
         };
         let gaps: Vec<Names> = (0..vertices.len()).map(gaps).collect();
         for (t, target) in forms.iter().enumerate() {
             let own = |v: &Vertex| forms.get(if forms.len() == 1 { 0 } else { v.mode });
             let after = quadratic(&matrix_times(&times, target), &u);
-            let before = |v: &Vertex| Some(quadratic(&matrix_times(&(&times * square), own(v)?), &z));
+            let before =
+                |v: &Vertex| Some(quadratic(&matrix_times(&(&times * square), own(v)?), &z));
             let (mut facts, mut sum) = (Vec::new(), String::new());
             for (i, v) in vertices.iter().enumerate() {
                 let moved = product(&product(&transposed(&v.map), target), &v.map);
-                let left = difference(&matrix_times(&(&sign * square), own(v)?), &matrix_times(&sign, &moved));
+                let left = difference(
+                    &matrix_times(&(&sign * square), own(v)?),
+                    &matrix_times(&sign, &moved),
+                );
                 let lemma = format!("vertex{i}.{t}");
                 let factor = &times / self.semidefinite(&lemma, &left)?;
                 facts.push(self.instance_of(&format!("f{i}"), &lemma, &z));
                 let weight = weights.get(i).map(|w| format!("[{w}]"));
                 let fact = format!("[f{i}]");
-                add_term(&mut sum, &factor, &weight.iter().chain([&fact]).map(String::as_str).collect::<Vec<_>>());
+                add_term(
+                    &mut sum,
+                    &factor,
+                    &weight.iter().chain([&fact]).map(String::as_str).collect::<Vec<_>>(),
+                );
                 if let Some(weight) = weight {
                     facts.push(self.instance_of(&format!("g{i}"), &format!("form.{t}"), &gaps[i]));
                     add_term(&mut sum, &whole, &[&weight, &format!("[g{i}]")]);
@@ -396,7 +469,10 @@ impl<'q> Writer<'q> {
                 (1, true) => format!("{first} - ({after})"),
                 (1, false) => format!("{after} - ({first})"),
                 _ => {
-                    let terms = weights.iter().zip(vertices).map(|(w, v)| Some(format!("{w}*({})", before(v)?)));
+                    let terms = weights
+                        .iter()
+                        .zip(vertices)
+                        .map(|(w, v)| Some(format!("{w}*({})", before(v)?)));
                     format!("{} - ({after})", terms.collect::<Option<Vec<_>>>()?.join(" + "))
                 }
             };
@@ -405,18 +481,27 @@ impl<'q> Writer<'q> {
                 sum += &format!(" - [all]*({common}{after})");
             }
             for (name, row) in u.iter().zip(target) {
-                let of = |c: Rational, row: &[Rational]| row.iter().map(|x| &c * x).collect::<Vec<_>>();
+                let of =
+                    |c: Rational, row: &[Rational]| row.iter().map(|x| &c * x).collect::<Vec<_>>();
                 let two = Rational::from_integer(2.into());
                 if several {
                     let image = linear(&sparse(&of(-&two * &whole * &unit, row)), &u);
                     sum += &format!(" + [{name}]*({image})");
                 } else {
                     let factor = -&sign * &whole;
-                    let both = [linear(&sparse(&of(&factor * &unit, row)), &u), linear(&sparse(&of(factor, &matrix::before(row, &maps[0]))), &z)];
+                    let both = [
+                        linear(&sparse(&of(&factor * &unit, row)), &u),
+                        linear(&sparse(&of(factor, &matrix::before(row, &maps[0]))), &z),
+                    ];
                     sum += &format!(" + [{name}]*({} + ({}))", both[0], both[1]);
                 }
             }
-            let clause = clause(&format!("mixed.{t}"), &reals(&[&z, &u, &weights]), &given, &format!("{goal} >= 0"));
+            let clause = clause(
+                &format!("mixed.{t}"),
+                &reals(&[&z, &u, &weights]),
+                &given,
+                &format!("{goal} >= 0"),
+            );
             self.sheet.lemma(clause, positivity(&facts, &sum));
         }
         Some([unit, times])
@@ -431,28 +516,54 @@ impl<'q> Writer<'q> {
     /// Each of the mixed lemmas, of this step: a fact `mixed.t`.
     fn mixed_now(&self, vertices: &[Vertex], unit: &Rational) -> Vec<Value> {
         let (now, next) = (self.at(&self.now), self.at(&self.now.later(1)));
-        let mut with: Names = self.z.iter().zip(&now).chain(self.u.iter().zip(&next)).map(|(v, term)| format!("{v}={term}")).collect();
-        let mut given: Names = self.u.iter().zip(&self.y).map(|(u, y)| format!("{u}={}", fraction_times(unit, &format!("[next.{y}]")))).collect();
-        let mut facts: Vec<Value> = self.y.iter().map(|y| self.this_step(&format!("next.{y}"))).collect();
+        let mut with: Names = self
+            .z
+            .iter()
+            .zip(&now)
+            .chain(self.u.iter().zip(&next))
+            .map(|(v, term)| format!("{v}={term}"))
+            .collect();
+        let mut given: Names = self
+            .u
+            .iter()
+            .zip(&self.y)
+            .map(|(u, y)| format!("{u}={}", fraction_times(unit, &format!("[next.{y}]"))))
+            .collect();
+        let mut facts: Vec<Value> =
+            self.y.iter().map(|y| self.this_step(&format!("next.{y}"))).collect();
         if self.runs.chooses() {
             facts.push(self.runs.every("modes", &self.now, ""));
         }
         if vertices.len() > 1 {
-            let ranges = self.runs.ranges.iter().flat_map(|(f, _)| ["low", "high"].map(|end| format!("{end}.{f}")));
+            let ranges = self
+                .runs
+                .ranges
+                .iter()
+                .flat_map(|(f, _)| ["low", "high"].map(|end| format!("{end}.{f}")));
             let acts = self.selectors(&self.now).into_iter().flatten();
             let acts = acts.zip(&self.runs.modes).map(|(_, (m, _))| format!("acts.{m}"));
             facts.extend(ranges.chain(acts).map(|fact| self.runs.every(&fact, &self.now, "")));
             for (i, v) in vertices.iter().enumerate() {
                 let mut product = String::new();
                 let names: Names = v.facts.iter().map(|f| format!("[{f}]")).collect();
-                add_term(&mut product, &v.factor, &names.iter().map(String::as_str).collect::<Vec<_>>());
+                add_term(
+                    &mut product,
+                    &v.factor,
+                    &names.iter().map(String::as_str).collect::<Vec<_>>(),
+                );
                 let term = v.facts.iter().map(|f| self.meaning(f)).collect::<Vec<_>>();
                 let mut text = String::new();
-                add_term(&mut text, &v.factor, &term.iter().map(String::as_str).collect::<Vec<_>>());
+                add_term(
+                    &mut text,
+                    &v.factor,
+                    &term.iter().map(String::as_str).collect::<Vec<_>>(),
+                );
                 with.push(format!("{}{i}={text}", self.w));
                 given.push(format!("{}{i}={product}", self.w));
             }
-            given.push(format!("all={}", if self.runs.chooses() { "-[modes]" } else { "0" }));
+            if self.runs.chooses() {
+                given.push("all=-[modes]".to_owned());
+            }
         }
         let all = (0..self.forms.len()).map(|t| {
             let name = format!("mixed.{t}");
@@ -478,22 +589,33 @@ impl<'q> Writer<'q> {
     fn weighted(&self, fact: &str, scales: &[Rational]) -> String {
         let mut sum = String::new();
         for (t, scale) in scales.iter().enumerate() {
-            let acts = self.runs.modes.get(t).filter(|_| scales.len() > 1).map(|(m, _)| format!("[acts.{m}]"));
+            let acts = self
+                .runs
+                .modes
+                .get(t)
+                .filter(|_| scales.len() > 1)
+                .map(|(m, _)| format!("[acts.{m}]"));
             let fact = format!("[{fact}.{t}]");
-            add_term(&mut sum, &scale.recip(), &acts.iter().chain([&fact]).map(String::as_str).collect::<Vec<_>>());
+            add_term(
+                &mut sum,
+                &scale.recip(),
+                &acts.iter().chain([&fact]).map(String::as_str).collect::<Vec<_>>(),
+            );
         }
         sum
     }
 
     /// What is known of the selectors at that time.
     fn acting(&self, time: &Time) -> Vec<Value> {
-        let acts = self.runs.modes.iter().map(|(m, _)| format!("acts.{m}")).chain(["modes".to_owned()]);
+        let acts =
+            self.runs.modes.iter().map(|(m, _)| format!("acts.{m}")).chain(["modes".to_owned()]);
         acts.filter(|_| self.runs.chooses()).map(|fact| self.runs.every(&fact, time, "")).collect()
     }
 
     /// The readouts tend to 0.
     fn falls(&mut self, square: &Rational) -> Option<()> {
-        let (now, k, v, r) = (self.now.clone(), self.runs.step.clone(), self.form.clone(), self.bound.clone());
+        let (now, k, v, r) =
+            (self.now.clone(), self.runs.step.clone(), self.form.clone(), self.bound.clone());
         let next = now.later(1);
         let several = self.forms.len() > 1;
         self.sheet.define(&v, &[&k], &[], &self.value(&now), None);
@@ -527,7 +649,10 @@ impl<'q> Writer<'q> {
             None => format!("{mixed}*[mixed.0] + {} - [next]", fraction_times(square, "[now]")),
             Some(selectors) => {
                 let acts = self.runs.modes.iter().map(|(m, _)| format!("acts.{m}"));
-                let mut sum = format!("{} - [next]", fraction_times(square, &format!("({})*[now]", selectors.join(" + "))));
+                let mut sum = format!(
+                    "{} - [next]",
+                    fraction_times(square, &format!("({})*[now]", selectors.join(" + ")))
+                );
                 sum += &format!(" + {}", fraction_times(square, &format!("{v}({k})*[modes-next]")));
                 for (t, acts) in acts.enumerate() {
                     facts.push(self.runs.every(&acts, &next, "-next"));
@@ -542,7 +667,13 @@ impl<'q> Writer<'q> {
         // In all steps.
         let facts = [self.before(), self.this_step("step"), self.defined(&r, &now, "bound")];
         let sum = format!("{} + [step] + [bound]*{v}(0)", fraction_times(square, "[before]"));
-        let proof = induction(&k, &k, &self.earlier, positivity(&[], &format!("[{r}.0]*{v}(0)")), positivity(&facts, &sum));
+        let proof = induction(
+            &k,
+            &k,
+            &self.earlier,
+            positivity(&[], &format!("[{r}.0]*{v}(0)")),
+            positivity(&facts, &sum),
+        );
         let goal = format!("{v}({k}) <= {r}({k})*{v}(0)");
         self.sheet.conclude(self.every_step("falls", &goal), proof);
         let y = self.at(&now);
@@ -550,7 +681,10 @@ impl<'q> Writer<'q> {
         let norm = fraction_times(&part, &format!("({})", norm.join(" + ")));
         let mut facts = self.acting(&now);
         facts.extend([self.this_step("falls"), self.defined(&v, &now, "now")]);
-        facts.extend((0..scales.len()).map(|t| self.instance_of(&format!("norm.{t}"), &format!("norm.{t}"), &y)));
+        facts.extend(
+            (0..scales.len())
+                .map(|t| self.instance_of(&format!("norm.{t}"), &format!("norm.{t}"), &y)),
+        );
         let mut sum = format!("[falls] + [now] + {}", self.weighted("norm", &scales));
         if several {
             sum += &format!(" - {norm}*[modes]");
@@ -569,7 +703,12 @@ impl<'q> Writer<'q> {
         self.sheet.define(&v, &[&k], &[], &self.value(&now), None);
         let begin = Time::step(0);
         for (x, value) in self.runs.state.iter().zip(start) {
-            self.sheet.assume(clause(&format!("start.{x}"), "", &[], &format!("{x}(0) = {}", fraction(value))));
+            self.sheet.assume(clause(
+                &format!("start.{x}"),
+                "",
+                &[],
+                &format!("{x}(0) = {}", fraction(value)),
+            ));
         }
         let y = self.quadratic.readouts.iter().map(|y| y.at(start)).collect::<Option<Vec<_>>>()?;
         for a in 0..y.len() {
@@ -602,7 +741,10 @@ impl<'q> Writer<'q> {
         let base = positivity(&[self.defined(&v, &begin, "value")], &sum);
         let step = positivity(&[self.before(), self.this_step("step")], "[before] + [step]");
         let goal = format!("{v}({k}) >= {}", fraction(&value));
-        self.sheet.conclude(self.every_step("stays", &goal), induction(&k, &k, &self.earlier, base, step));
+        self.sheet.conclude(
+            self.every_step("stays", &goal),
+            induction(&k, &k, &self.earlier, base, step),
+        );
         Some(())
     }
 }
@@ -620,7 +762,10 @@ fn least_part(forms: &[Matrix]) -> Option<Rational> {
         return Some(dominant);
     }
     let least = rows().map(|(i, row)| row[i].clone()).min()?;
-    let doubles: Vec<Vec<Vec<f64>>> = forms.iter().map(|p| p.iter().map(|row| row.iter().map(exact::to_f64).collect()).collect()).collect();
+    let doubles: Vec<Vec<Vec<f64>>> = forms
+        .iter()
+        .map(|p| p.iter().map(|row| row.iter().map(exact::to_f64).collect()).collect())
+        .collect();
     (1..60).map(|j| &least / Rational::from_integer(BigInt::one() << j)).find(|part| {
         let part = exact::to_f64(part);
         least.is_positive() && doubles.iter().all(|p| negative_direction(p, 2.0 * part).is_none())
@@ -642,11 +787,16 @@ fn quadratic(m: &Matrix, names: &[String]) -> String {
     let mut text = String::new();
     for (i, row) in m.iter().enumerate() {
         let entries = row.iter().enumerate().skip(i).filter(|(_, c)| !c.is_zero());
-        let entries: Vec<(usize, Rational)> = entries.map(|(j, c)| (j, if i == j { c.clone() } else { c * &two })).collect();
+        let entries: Vec<(usize, Rational)> =
+            entries.map(|(j, c)| (j, if i == j { c.clone() } else { c * &two })).collect();
         match entries.as_slice() {
             [] => {}
             [(j, c)] => add_term(&mut text, c, &[&names[i], &names[*j]]),
-            _ => add_term(&mut text, &Rational::one(), &[&names[i], &format!("({})", linear(&entries, names))]),
+            _ => add_term(
+                &mut text,
+                &Rational::one(),
+                &[&names[i], &format!("({})", linear(&entries, names))],
+            ),
         }
     }
     or_zero(text)

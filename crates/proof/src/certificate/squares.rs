@@ -87,13 +87,12 @@ fn rounded(m: &Matrix) -> Option<Vec<Square>> {
     (8..54).step_by(2).find_map(|bits| {
         let scale = 2f64.powi(bits - top);
         let whole = |x: &f64| (x * scale).round().to_i64();
-        let whole: Vec<Vec<i64>> = factor
-            .iter()
-            .map(|row| row.iter().map(whole).collect())
-            .collect::<Option<_>>()?;
+        let whole: Vec<Vec<i64>> =
+            factor.iter().map(|row| row.iter().map(whole).collect()).collect::<Option<_>>()?;
         let square = Rational::from_float(scale * scale)?;
         let left = |i: usize, j: usize| -> Rational {
-            let products = whole.iter().take(i.min(j) + 1).map(|r| i128::from(r[i]) * i128::from(r[j]));
+            let products =
+                whole.iter().take(i.min(j) + 1).map(|r| i128::from(r[i]) * i128::from(r[j]));
             &m[i][j] * &square - Rational::from_integer(products.sum::<i128>().into())
         };
         let left: Matrix =

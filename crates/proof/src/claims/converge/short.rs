@@ -46,9 +46,12 @@ fn links(map: &Matrix) -> Option<Vec<Vec<Rational>>> {
         .collect();
     let positive = weights.iter().flatten().filter(|w| **w > 1e-9);
     let least = positive.copied().fold(f64::INFINITY, f64::min);
-    let whole = |x: f64| Some(Rational::from_integer(num_bigint::BigInt::from_f64((x / least * LEAST).round())?));
+    let whole = |x: f64| {
+        Some(Rational::from_integer(num_bigint::BigInt::from_f64((x / least * LEAST).round())?))
+    };
     // On the diagonal all links of an agent, that to agent 0 among them.
-    let entry = |i: usize, j: usize| whole(if i == j { weights[i].iter().sum() } else { -weights[i][j] });
+    let entry =
+        |i: usize, j: usize| whole(if i == j { weights[i].iter().sum() } else { -weights[i][j] });
     (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
 }
 

@@ -19,6 +19,7 @@ mod own;
 mod own_random;
 mod parsers;
 mod prove;
+mod quadratic;
 mod refute;
 mod separation;
 mod settle;

@@ -43,10 +43,9 @@ def charge(n):
 # ---- Reading: a schema is a type name, [item], {"*": item} or a struct of fields ("field?" is optional).
 CLAUSE = {"name": "text", "for?": [{"name": "text", "sort": "sort"}], "given?": [{"name": "text", "holds": "text"}], "goal": "text"}
 DEFINITION = {
-    "name": "text", "of?": ["text"], "from?": "text", "base?": ["text"], "step": "text", "scale?": {"by": "text", "sum": "text"},
+    "name": "text", "of?": ["text"], "from?": "text", "base?": ["text"], "step": "text", "scale?": "text",
 }
-HYPOTHESIS = {"theorem": "text", "form": "text"}
-SYSTEM = {"protocol": "text", "steps": "text", "weight?": "text", "weights?": HYPOTHESIS, "starts?": HYPOTHESIS, "drones?": "u32"}
+SYSTEM = {"protocol": "text", "steps": "text", "weight?": "text"}
 STATEMENT = {
     "functions?": {"*": {"of": "u64", "to": "sort"}}, "system?": SYSTEM, "constants?": {"*": "sort"}, "definitions?": [DEFINITION], "assumptions?": [CLAUSE],
     "conclusions": [CLAUSE],
@@ -235,7 +234,7 @@ TOKEN = re.compile(r" *(\[ *[A-Za-z0-9.\-]+ *\]|[0-9][0-9/]*|[A-Za-z][A-Za-z0-9]
 
 class Kernel:
     def __init__(self):
-        self.constants, self.functions, self.lemmas, self.last = {}, {}, {}, None
+        self.constants, self.functions, self.lemmas = {}, {}, {}
 
     # -- expressions
     def sort(self, name, variables):
@@ -296,8 +295,6 @@ class Kernel:
             if len(token) > MAX_NAME:
                 bad("too long a name")
             if not take("("):
-                if token == "last" and self.last is not None:
-                    return self.last
                 return var(token) if self.sort(token, variables) else bad(f"{token} is no variable")
             terms = [total(depth + 1)]
             while take(","):
@@ -319,7 +316,7 @@ class Kernel:
 
     # -- names and clauses: (variables, given, goal)
     def fresh(self, name, variables=()):
-        if not re.fullmatch("[A-Za-z][A-Za-z0-9]*", name, re.A) or name == "last" and self.last is not None or name in variables or name in self.constants or name in self.functions:
+        if not re.fullmatch("[A-Za-z][A-Za-z0-9]*", name, re.A) or name in variables or name in self.constants or name in self.functions:
             raise Invalid("name", f"{name!r:.40} is no name, or taken")
         return name
 
@@ -355,9 +352,9 @@ class Kernel:
 
         def value(at):
             return app(name, *[var(v) for v in parameters], *([at] if last else []))
-        scale = d.get("scale", {"by": "1", "sum": "1"})
-        factor = self.poly(scale["by"], of)
-        self.sum((factor, POSITIVE), [], scale["sum"], self.facts(given), of)
+        factor = self.poly(d.get("scale", "1"), of)
+        if "scale" in d:
+            given["scale"] = factor, POSITIVE
         first = [add(value(add(start, const(j))), self.poly(b, parameters), -1) for j, b in enumerate(base)]
         self.functions[name] = len(of), "real"
         step, here = self.poly(d["step"], of), var(last) if last else {}
@@ -476,94 +473,44 @@ def at_value(clause, v, p):
 
 
 # ---- The system: FORMAT.md's table of clauses, read by the expression reader.
-WEIGHTS = {  # by theorem: paper, sharp
-    "7.2": ("third", "halfone"), "7.3": ("below", "half"), "7.4i": ("below", "half"), "7.4ii": ("below", "half"), "7.5i": ("below", "half"),
-    "7.5ii": ("unit", "any"), "7.6i": ("third", "any"), "7.6ii": ("third", "positive"), "7.7": ("unit", "positive"), "7.8": ("unit", "critical"),
-}
-RANGES = {
-    "any": [], "unit": ["eps >= 0", "1 - eps >= 0"], "third": ["eps >= 0", "1 - 3*eps > 0"], "below": ["eps >= 0", "1 - 2*eps > 0"],
-    "half": ["eps >= 0", "1 - 2*eps >= 0"], "halfone": ["eps >= 0", "1 - eps >= 0"], "positive": ["eps > 0", "1 - 2*eps >= 0"], "critical": ["eps > 0"],
-}
-STARTS = {
-    "7.2": ("ordered", "ordered"), "7.5ii": ("segment", "any"), "7.6i": ("segment", "any"), "7.7": ("bounded", "bounded"), "7.8": ("segment", "any"),
-}
-INNER = "k: k >= 0; i: i - 1 >= 0; n: last - 1 - i >= 0"
-
-
-def hypothesis(h):
-    if h["theorem"] not in WEIGHTS or h["form"] not in ("paper", "sharp"):
-        raise Invalid("system", "no such theorem or form")
-    form = h["form"] == "sharp"
-    return WEIGHTS[h["theorem"]][form], STARTS.get(h["theorem"], ("segment", "bounded"))[form]
-
-
 def install(kernel, s):
-    """What runs, or N agents of which nothing is known; `learn` reads a clause of integers from text."""
-    def learn(name, variables, given, goal, eps=None):
-        variables = dict.fromkeys(variables.split(), "integer")
-        given = {n: kernel.literal(holds, variables) for n, holds in (g.split(": ") for g in given.split("; ") if g)}
+    protocol, steps = s["protocol"], s["steps"]
+
+    def learn(name, given, goal, eps):
+        variables = {"k": "integer", "i": "integer"} if "i" in given else {"k": "integer"}
+        given = {n: kernel.literal(holds, variables) for n, holds in given.items()}
         goal, relation = kernel.literal(goal, variables)
         kernel.learn(name, (variables, given, (sub(goal, lambda a: eps if a == ("var", "eps") else None), relation)))
 
-    def constants(*names, sort="real"):
-        for name in names:
-            kernel.constants[kernel.fresh(name)] = sort
-
     def function(name, arity, sort="real"):
         kernel.functions[kernel.fresh(name)] = arity, sort
-    n = s and s.get("drones")
-    if n is None:
-        constants("last", sort="integer")
-    elif n < 3:
-        raise Invalid("system", f"{n} drones: expected 3 or more")
-    kernel.last = var("last") if n is None else const(n - 1)
-    learn("n", "", "", "last - 2 >= 0")
-    learn("last", "", "", "last > 0")
-    if s is None:
-        return
-    protocol, steps = s["protocol"], s["steps"]
-    constants("eps")
+    for name in ("last", "eps"):
+        kernel.constants[kernel.fresh(name)] = "integer" if name == "last" else "real"
+    kernel.learn("n", ({}, {}, kernel.literal("last - 2 >= 0", {})))
+    kernel.learn("last", ({}, {}, kernel.literal("last > 0", {})))
     weight = kernel.poly(s.get("weight", "eps"), {"k": "integer", "i": "integer"})
     if (protocol, steps) not in {("coverage", "full"), ("coverage", "activation"), ("coverage", "delay"), ("consensus", "full"), ("projection", "full")}:
         raise Invalid("system", "no such protocol")
-    if "weight" in s and protocol == "projection":
-        raise Invalid("system", "a projection of weight eps is expected")
+    for name in ("min", "max"):
+        kernel.constants[kernel.fresh(name)] = "real"
     function("x", 2)
-    if protocol != "consensus":
-        constants("min", "max")
-        learn("segment", "", "", "max - min > 0")
-    if "weights" in s:
-        kind = hypothesis(s["weights"])[0]
-        for name, goal in zip(("weight.low", "weight.high"), RANGES[kind]):
-            learn(name, "", "", goal)
-        if kind == "halfone":
-            learn("weight.four", "", "four: last - 3 >= 0", "1 - 2*eps >= 0")
-        if kind == "critical":
-            function("minor", 1)
-            learn("minor.0", "", "", "minor(0) = 0")
-            learn("minor.1", "", "", "minor(1) = 1")
-            learn("minor.step", "i", "i: i - 1 >= 0; n: last - i - 1 >= 0", "minor(i+1) = 2*(1 - eps)*minor(i) - eps*eps*minor(i-1)")
-            learn("minor.positive", "i", "i: i - 1 >= 0; n: last - i >= 0", "minor(i) > 0")
     average = "eps*{} + (1 - 2*eps)*x(k,i) + eps*{}"
     near = average.format("x(k,i-1)", "x(k,i+1)")
     first, inner, last = "min", near, "max"
     if steps == "activation":
         function("active", 2, "integer")
-        learn("active.low", "k i", "", "active(k,i) >= 0")
-        learn("active.high", "k i", "", "1 - active(k,i) >= 0")
         first, inner, last = (f"active(k,{i})*({p}) + (1 - active(k,{i}))*x(k,{i})" for i, p in (("0", "min"), ("i", near), ("last", "max")))
     if steps == "delay":
         function("seen", 3, "integer")
-        learn("seen.low", "k i j", "k: k >= 0", "seen(k,i,j) >= 0")
-        learn("seen.high", "k i j", "k: k >= 0", "k - seen(k,i,j) >= 0")
         inner = average.format("x(seen(k,i,i-1),i-1)", "x(seen(k,i,i+1),i+1)")
     if protocol == "consensus":
         first, inner, last = "x(k,0) + eps*(x(k,1) - x(k,0))", near, "x(k,last) + eps*(x(k,last-1) - x(k,last))"
 
-    def by_class(name, f, first, inner, last):
-        for c, i, p, at in (("first", "0", first, {}), ("inner", "i", inner, var("i")), ("last", "last", last, kernel.last)):
-            own = sub(weight, lambda a: at if a == ("var", "i") else None)
-            learn(f"{name}.{c}", "k i" if c == "inner" else "k", INNER if c == "inner" else "k: k >= 0", f"{f}(k+1,{i}) = {p}", own)
+    def by_class(name, f, *values):
+        for c, i, p in zip(("first", "inner", "last"), ("0", "i", "last"), values):
+            given = {"k": "k >= 0", "i": "i - 1 >= 0", "n": "last - 1 - i >= 0"} if c == "inner" else {"k": "k >= 0"}
+            own = sub(weight, lambda a: kernel.poly(i, {"i": "integer"}) if a == ("var", "i") else None)
+            learn(f"{name}.{c}", given, f"{f},{i}) = {p}", own)
     if protocol == "projection":
         for name, arity in (("own", 2), ("prec", 2), ("foll", 2), ("moves", 1)):
             function(name, arity)
@@ -571,33 +518,22 @@ def install(kernel, s):
         def ticks(f, i, p):
             return f"moves(k)*({p}) + (1 - moves(k))*{f}(k,{i})"
         mine = "eps*prec(k,i) + (1 - 2*eps)*own(k,i) + eps*foll(k,i)"
-        by_class("own", "own", ticks("own", "0", "min"), ticks("own", "i", mine), ticks("own", "last", "max"))
-        by_class("prec", "prec", "prec(k,0)", "own(k+1,i-1)", "own(k+1,last-1)")
-        by_class("foll", "foll", "own(k+1,1)", "own(k+1,i+1)", "foll(k,last)")
-        for f, values in (("own", ("x(0,0)", "x(0,i)", "x(0,last)")), ("prec", ("min", "x(0,i-1)", "x(0,last-1)")), ("foll", ("x(0,1)", "x(0,i+1)", "max"))):
-            for c, i, p in zip(("first", "inner", "last"), ("0", "i", "last"), values):
-                learn(f"{f}.start.{c}", "i" if c == "inner" else "", INNER[11:] if c == "inner" else "", f"{f}(0,{i}) = {p}")
+        by_class("own", "own(k+1", ticks("own", "0", "min"), ticks("own", "i", mine), ticks("own", "last", "max"))
+        by_class("prec", "prec(k+1", "prec(k,0)", "own(k+1,i-1)", "own(k+1,last-1)")
+        by_class("foll", "foll(k+1", "own(k+1,1)", "own(k+1,i+1)", "foll(k,last)")
+        by_class("own.start", "own(0", "x(0,0)", "x(0,i)", "x(0,last)")
+        by_class("prec.start", "prec(0", "min", "x(0,i-1)", "x(0,last-1)")
+        by_class("foll.start", "foll(0", "x(0,1)", "x(0,i+1)", "max")
         first, inner, last = ticks("x", "0", first), ticks("x", "i", inner), ticks("x", "last", last)
-    by_class("step", "x", first, inner, last)
-    if "starts" in s:
-        if protocol == "consensus":
-            raise Invalid("system", "starts of coverage only")
-        starts = hypothesis(s["starts"])[1]
-        learn("start.first", "", "", "x(0,0) = min")
-        learn("start.last", "", "", "x(0,last) = max")
-        if starts in ("ordered", "segment"):
-            learn("start.order", "i", "i: i >= 0; n: last - i - 1 >= 0", "x(0,i+1) - x(0,i) > 0")
-        if starts == "segment":
-            learn("start.segment", "i", "i: i - 1 >= 0; n: last - i - 1 >= 0", "last*min + (max - min) - last*x(0,i) > 0")
-        if starts == "bounded":
-            learn("start.bound", "i", "i: i >= 0; n: last - i >= 0", "last*min + i*(max - min) - last*x(0,i) >= 0")
+    by_class("step", "x(k+1", first, inner, last)
 
 
 def theorem(t):
     kernel, s, proof = Kernel(), t["statement"], t["proof"]
     for name, f in sorted(s.get("functions", {}).items()):
         kernel.functions[kernel.fresh(name)] = f["of"], f["to"]
-    install(kernel, s.get("system"))
+    if "system" in s:
+        install(kernel, s["system"])
     for name, sort in sorted(s.get("constants", {}).items()):
         kernel.constants[kernel.fresh(name)] = sort
     for d in s.get("definitions", []):
@@ -919,9 +855,21 @@ def conclusion(theorem, form, eps, e, c, x):
     return None
 
 
+# The weights and starts of the theorems: paper, sharp.
+WEIGHTS = {
+    "7.2": ("third", "halfone"), "7.3": ("below", "half"), "7.4i": ("below", "half"), "7.4ii": ("below", "half"), "7.5i": ("below", "half"),
+    "7.5ii": ("unit", "any"), "7.6i": ("third", "any"), "7.6ii": ("third", "positive"), "7.7": ("unit", "positive"), "7.8": ("unit", "critical"),
+}
+STARTS = {
+    "7.2": ("ordered", "ordered"), "7.5ii": ("segment", "any"), "7.6i": ("segment", "any"), "7.7": ("bounded", "bounded"), "7.8": ("segment", "any"),
+}
+
+
 def refutation(c):
     need = needs("refutation")
-    ranges, starts = hypothesis(c)
+    need(c["theorem"] in WEIGHTS and c["form"] in ("paper", "sharp"), "no such theorem or form")
+    sharp = c["form"] == "sharp"
+    ranges, starts = WEIGHTS[c["theorem"]][sharp], STARTS.get(c["theorem"], ("segment", "bounded"))[sharp]
     x, theorem, form, eps, low, high = [c["start"]], c["theorem"], c["form"], c["eps"], c["min"], c["max"]
     n, active, delay = len(x[0]), c.get("activation"), c.get("delay")
     need((active is None and delay is None) or theorem not in ("7.6ii", "7.7", "7.8"), "other steps decide nothing about it")

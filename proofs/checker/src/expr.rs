@@ -70,8 +70,6 @@ pub struct Signature {
     pub constants: BTreeMap<Rc<str>, Sort>,
     /// Functions: how many integer terms they take, and what they give.
     pub functions: BTreeMap<Rc<str>, (usize, Sort)>,
-    /// The meaning of `last`, N-1, where there is one: a constant, or a number for one N.
-    pub last: Option<Poly>,
 }
 
 const RULE: &str = "expression";
@@ -226,8 +224,7 @@ impl<'t> Parser<'t> {
         }
         if !self.take("(") {
             let known = self.signature.sort(name, self.vars).map(|_| Poly::var(name));
-            let last = self.signature.last.clone().filter(|_| name == "last");
-            return last.or(known).ok_or(format!("`{name}` is no variable or constant here"));
+            return known.ok_or(format!("`{name}` is no variable or constant here"));
         }
         let mut terms = vec![self.sum(depth + 1)?];
         while self.take(",") {

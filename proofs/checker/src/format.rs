@@ -130,17 +130,13 @@ objects! {
         functions: Named<Function>, constants: Named<Sort>, definitions: Vec<Definition>, assumptions: Vec<Clause>; system: System
     }
     /// What runs: `coverage`, `consensus` or `projection`, in `full` steps, with `activation` or `delay`; the weight of drone i in step
-    /// k, if it is not `eps`; the theorems whose weights and starts are meant, and one N in the place of every N >= 3.
-    System { protocol: String, steps: String;; weight: String, weights: Hypothesis, starts: Hypothesis, drones: u32 }
+    /// k, if it is not `eps`.
+    System { protocol: String, steps: String;; weight: String }
     /// A function of so many integers, and what it gives.
     Function { of: usize, to: Sort }
-    /// The hypothesis of the theorem of that number, in its `paper` or `sharp` form.
-    Hypothesis { theorem: String, form: String }
     /// A function by recursion on the last of its arguments, integers: where that starts, the first values, and the next
-    /// value times a positive factor.
-    Definition { name: String, step: String; of: Vec<String>, from: String, base: Vec<String>; scale: Scale }
-    /// A positive factor, and a sum that shows it.
-    Scale { by: String, sum: String }
+    /// value times a factor.
+    Definition { name: String, step: String; of: Vec<String>, from: String, base: Vec<String>; scale: String }
     /// For all values of the variables, if the literals given hold so does the goal.
     Clause { name: String, goal: String; r#for: Vec<Variable>, given: Vec<Given> }
     /// A variable and its values.
@@ -189,21 +185,6 @@ objects! {
     }
     /// One step of a linear system: the mode, and the values of the other parameters in it.
     Move { by: String; with: Named<Number> }
-    /// What holds along the runs of a linear system: literals about the state at nodes, one of which the start is assumed to meet.
-    Invariance {
-        system: Linear, nodes: Named<Vec<String>>, start: String, edges: Vec<Edge>, claims: Vec<Claim>
-    }
-    /// Why one node follows from another, after a step of a mode or at once: for each of its literals, for each vertex of the
-    /// parameters in it, the multipliers of the literals known.
-    Edge { from: String, to: String, multipliers: Vec<Vec<Named<Number>>>;; by: String }
-    /// A literal that follows from a node, by multipliers of the node's literals.
-    Claim { at: String, holds: String, multipliers: Named<Number> }
-    /// A quadratic form of readouts y0, y1, .. that falls by a rate in every step, or never from a start: what a step of each mode makes of
-    /// each readout, and the form for every mode, or one for each mode that acts next.
-    Quadratic {
-        system: Linear, readouts: Vec<String>, maps: Named<Vec<String>>;
-        matrices: Named<Triangle>; matrix: Triangle, rate: Number, start: Vec<Number>
-    }
     /// Ellipsoids that runs in continuous time do not leave, rows being derivatives: runs start between points of all those of
     /// the start, of which of them does not matter, and stay inside along the edges; claims hold in all ellipsoids.
     Ellipsoid {
@@ -226,8 +207,6 @@ pub enum Kind {
     Growth(Growth),
     Refutation(Box<Refutation>),
     Counterexample(Box<Counterexample>),
-    Invariance(Box<Invariance>),
-    Quadratic(Box<Quadratic>),
     Ellipsoid(Box<Ellipsoid>),
 }
 

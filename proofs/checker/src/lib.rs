@@ -10,13 +10,11 @@ pub mod ellipsoid;
 pub mod expr;
 pub mod fault;
 pub mod format;
-pub mod invariance;
 pub mod kernel;
 pub mod linear;
 pub mod matrix;
 pub mod number;
 pub mod poly;
-pub mod quadratic;
 pub mod refutation;
 pub mod system;
 pub mod vector;
@@ -25,7 +23,7 @@ use std::fmt;
 
 use cordon_spec::coverage::exec_coverage;
 use fault::{Fault, Result, Shown, fault};
-use format::{Function, Kind, Theorem};
+use format::{Function, Kind, Statement, Theorem};
 use kernel::Kernel;
 use system::Step;
 
@@ -41,7 +39,7 @@ pub enum Verdict {
     },
     /// A proof is wrong, or the certificate contradicts itself.
     Invalid {
-        /// The clause, or the kind.
+        /// The clause, where it is a theorem.
         step: String,
         /// The rule that failed.
         rule: &'static str,
@@ -100,15 +98,17 @@ pub fn check_of(text: &str, step: Step) -> Verdict {
         Ok(kind) => kind,
         Err(reason) => return Verdict::Unreadable { reason },
     };
-    let (clause, result) = match &kind {
-        Kind::Theorem(t) => theorem(t, step),
-        Kind::Contraction(c) => ("contraction", vector::contraction(c, step)),
-        Kind::Growth(c) => ("growth", vector::growth(c, step)),
-        Kind::Refutation(c) => ("refutation", refutation::refutation(c)),
-        Kind::Counterexample(c) => ("counterexample", refutation::counterexample(c)),
-        Kind::Invariance(c) => ("invariance", invariance::invariance(c)),
-        Kind::Quadratic(c) => ("quadratic", quadratic::quadratic(c)),
-        Kind::Ellipsoid(c) => ("ellipsoid", ellipsoid::ellipsoid(c)),
+    let mut clause = "certificate";
+    let result = match &kind {
+        Kind::Theorem(t) => prove(t, step, &mut clause),
+        Kind::Contraction(c) => {
+            let of = (c.drones, &c.eps, c.vector.as_slice());
+            vector::vector("contraction", of, Some(&c.rate), step)
+        }
+        Kind::Growth(c) => vector::vector("growth", (c.drones, &c.eps, &c.vector), None, step),
+        Kind::Refutation(c) => refutation::refutation(c),
+        Kind::Counterexample(c) => refutation::counterexample(c),
+        Kind::Ellipsoid(c) => ellipsoid::ellipsoid(c),
     };
     // Without work left numbers are not what they should be: neither is what was said of them.
     let result = number::spend(0).and(result);
@@ -118,23 +118,19 @@ pub fn check_of(text: &str, step: Step) -> Verdict {
     }
 }
 
-/// Kind `theorem`: the clause that fails, or what was proved and in how many clauses.
-fn theorem(t: &Theorem, protocol: Step) -> (&str, Result<Shown>) {
-    let mut step = "statement";
-    let result = prove(t, protocol, &mut step);
-    (step, result)
-}
-
-fn prove<'t>(t: &'t Theorem, protocol: Step, step: &mut &'t str) -> Result<Shown> {
-    let (mut kernel, s) = (Kernel::default(), &t.statement);
-    for (name, f) in &s.functions.0 {
-        kernel.function(name, f.of, f.to)?;
-    }
-    let mut words = vec![system::install(s.system.as_ref(), &mut kernel, protocol)?];
-    for (name, f) in &s.functions.0 {
-        let Function { of, to } = f;
+/// Reads what a statement speaks of and assumes; what that is, in words.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn assume(s: &Statement, kernel: &mut Kernel, protocol: Step) -> Result<Vec<String>> {
+    let mut words = Vec::new();
+    for (name, Function { of, to }) in &s.functions.0 {
+        kernel.function(name, *of, *to)?;
         let met = "that meets what is assumed, if there is one";
         words.push(format!("for every {to} function {name} of arity {of} {met}"));
+    }
+    if let Some(system) = &s.system {
+        words.insert(0, system::install(system, kernel, protocol)?);
     }
     for (name, sort) in &s.constants.0 {
         kernel.constant(name, *sort)?;
@@ -148,6 +144,14 @@ fn prove<'t>(t: &'t Theorem, protocol: Step, step: &mut &'t str) -> Result<Shown
         words.push(format!("assuming {clause}"));
         kernel.add(&assumption.name, clause)?;
     }
+    Ok(words)
+}
+
+/// Kind `theorem`: what was proved and in how many clauses; `step` is the clause that is judged.
+fn prove<'t>(t: &'t Theorem, protocol: Step, step: &mut &'t str) -> Result<Shown> {
+    *step = "statement";
+    let (mut kernel, s) = (Kernel::default(), &t.statement);
+    let mut words = assume(s, &mut kernel, protocol)?;
     // What is to be proved, before the proof brings its own names.
     let goals: Vec<_> =
         s.conclusions.iter().map(|c| Ok((c, kernel.clause(c)?))).collect::<Result<_>>()?;

@@ -1,8 +1,8 @@
 //! A user's linear system as read: what each mode makes of the state, and at which values of the
 //! parameters that has to be looked at.
 //!
-//! A mode's row is affine in the state and in each parameter. What is affine in each parameter is least, and
-//! a positive definite form of it greatest, at a vertex of the box of their ranges: the vertices decide.
+//! A mode's row is affine in the state and in each parameter. What is affine in each parameter is least at a vertex of
+//! the box of their ranges: the vertices decide.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,16 +13,12 @@ use crate::kernel::Kernel;
 use crate::number::{Number, spend};
 use crate::poly::{Atom, Poly};
 
-/// A system that takes steps, in words.
-pub const STEPS: [&str; 2] = ["a linear system of", "in each step"];
-
 const SYSTEM: &str = "system";
 
 /// A linear system as read.
 pub struct System<'c> {
     written: &'c Linear,
-    /// The names of the state.
-    pub state: Signature,
+    state: Signature,
     /// What each mode makes of each variable that it changes.
     pub modes: BTreeMap<&'c str, BTreeMap<&'c str, Poly>>,
 }
@@ -36,10 +32,7 @@ pub fn at(poly: &Poly, values: &Values<'_>) -> Poly {
 }
 
 /// A name space of reals.
-///
-/// # Errors
-/// A name that is none, or is there twice.
-pub fn reals<'n>(names: impl IntoIterator<Item = &'n String>) -> Result<Signature> {
+fn reals<'n>(names: impl IntoIterator<Item = &'n String>) -> Result<Signature> {
     let mut kernel = Kernel::default();
     for name in names {
         kernel.constant(name, Sort::Real)?;
@@ -47,16 +40,7 @@ pub fn reals<'n>(names: impl IntoIterator<Item = &'n String>) -> Result<Signatur
     Ok(kernel.signature)
 }
 
-/// Reads a polynomial that is affine in the variables together, and in each other name.
-///
-/// # Errors
-/// What is wrong with it.
-pub fn affine(text: &str, names: &Signature, variables: &Signature) -> Result<Poly> {
-    let poly = names.poly(text, &Vec::new(), false)?;
-    is_affine(&poly, text, variables)?;
-    Ok(poly)
-}
-
+/// In the variables together, and in each other name.
 fn is_affine(poly: &Poly, text: &str, variables: &Signature) -> Result<()> {
     let fits = |m: &Vec<Atom>| {
         m.iter().filter(|a| variables.knows(a)).count() < 2 && m.windows(2).all(|w| w[0] != w[1])
@@ -82,7 +66,9 @@ impl<'c> System<'c> {
             for (variable, text) in &updates.0 {
                 let known = state.constants.contains_key(variable.as_str());
                 ensure!(known, SYSTEM, "mode `{name:.40}`: no variable `{variable:.40}`");
-                mode.insert(variable.as_str(), affine(text, &rows, &state)?);
+                let row = rows.poly(text, &Vec::new(), false)?;
+                is_affine(&row, text, &state)?;
+                mode.insert(variable.as_str(), row);
             }
             modes.insert(name.as_str(), mode);
         }
@@ -113,9 +99,9 @@ impl<'c> System<'c> {
     ///
     /// # Errors
     /// There are more or fewer numbers than variables.
-    pub fn placed(&self, rule: &'static str, numbers: &[Number]) -> Result<Values<'c>> {
+    pub fn placed(&self, numbers: &[Number]) -> Result<Values<'c>> {
         let (found, expected) = (numbers.len(), self.written.state.len());
-        ensure!(found == expected, rule, "a start of {found} numbers: expected {expected}");
+        ensure!(found == expected, SYSTEM, "a start of {found} numbers: expected {expected}");
         let values = numbers.iter().cloned().map(Poly::constant);
         Ok(self.written.state.iter().map(String::as_str).zip(values).collect())
     }

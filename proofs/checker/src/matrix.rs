@@ -1,7 +1,7 @@
 //! Exact matrices, and the definiteness of quadratic forms.
 
 use crate::fault::{Result, ensure};
-use crate::number::{Number, exhausted};
+use crate::number::{Number, charge, exhausted};
 
 /// A matrix by its rows.
 pub type Matrix = Vec<Vec<Number>>;
@@ -25,32 +25,20 @@ fn integers(m: &Matrix) -> (Number, Matrix) {
     (scale.clone(), m.iter().map(whole).collect())
 }
 
-/// The product of two matrices; zeros cost nothing.
-pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
-    let ((over_a, a), (over_b, b)) = (integers(a), integers(b));
+/// The product with a symmetric matrix.
+pub fn product(a: &Matrix, symmetric: &Matrix) -> Matrix {
+    let ((over_a, a), (over_b, b)) = (integers(a), integers(symmetric));
     let scale = over_a * &over_b;
-    let row = |row: &Vec<Number>| {
-        let mut sum = vec![Number::whole(0); b.first().map_or(0, Vec::len)];
-        for (x, line) in row.iter().zip(&b).filter(|(x, _)| !x.is_zero()) {
-            for (sum, y) in sum.iter_mut().zip(line).filter(|(_, y)| !y.is_zero()) {
-                *sum = &*sum + &(x * y);
-            }
-        }
-        sum.iter().map(|x| x.over(&scale).unwrap_or_else(|| Number::whole(0))).collect()
-    };
-    a.iter().map(row).collect()
+    let entry =
+        |row: &Vec<Number>, line| dot(row, line).over(&scale).unwrap_or_else(|| Number::whole(0));
+    a.iter().map(|row| b.iter().map(|line| entry(row, line)).collect()).collect()
 }
 
-/// a'pa.
-pub fn congruent(a: &Matrix, p: &Matrix) -> Matrix {
-    let column = |k: usize| a.iter().map(|row| row[k].clone()).collect();
-    let transposed: Matrix = (0..a.first().map_or(0, Vec::len)).map(column).collect();
-    product(&product(&transposed, p), a)
-}
-
-/// The product of two vectors.
+/// The product of two vectors; zeros cost little.
 pub fn dot(a: &[Number], b: &[Number]) -> Number {
-    a.iter().zip(b).fold(Number::whole(0), |sum, (x, y)| sum + &(x * y))
+    charge(a.len() as u64);
+    let pairs = a.iter().zip(b).filter(|(x, y)| !x.is_zero() && !y.is_zero());
+    pairs.fold(Number::whole(0), |sum, (x, y)| sum + &(x * y))
 }
 
 /// The lower triangle of a symmetric matrix with one more row.
@@ -58,12 +46,6 @@ pub fn bordered(mut m: Matrix, mut row: Vec<Number>, corner: Number) -> Matrix {
     row.push(corner);
     m.push(row);
     m
-}
-
-/// c a - b.
-pub fn difference(c: &Number, a: &Matrix, b: &Matrix) -> Matrix {
-    let entry = |(x, y): (&Number, &Number)| c * x - y;
-    a.iter().zip(b).map(|(a, b)| a.iter().zip(b).map(entry).collect()).collect()
 }
 
 /// Whether x'mx >= 0 for every x (> 0 but for x = 0), m being symmetric (its lower triangle is enough): by elimination without

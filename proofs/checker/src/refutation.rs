@@ -3,16 +3,15 @@
 use cordon_spec::activation::exec_coverage_active;
 use cordon_spec::coverage::{exec_coverage, getx};
 use cordon_spec::delay::exec_coverage_delayed;
-use cordon_spec::theorems::{Setting, Subject, Theorem, Truth, Verdict, Violation};
+use cordon_spec::theorems::{Form, Setting, Subject, Theorem, Truth, Verdict, Violation};
 use cordon_spec::{Params, State};
 
 use crate::expr::Literal;
 use crate::fault::{Result, Shown, ensure, fault};
 use crate::format::{Counterexample, Delay, Named, Refutation};
-use crate::linear::{STEPS, System, Values, at};
+use crate::linear::{System, Values, at};
 use crate::number::{Number, charge, exhausted};
 use crate::poly::Poly;
-use crate::system::named;
 
 const RULE: &str = "refutation";
 
@@ -26,7 +25,7 @@ pub fn counterexample(c: &Counterexample) -> Result<Shown> {
     let (system, ranges) = (System::read(&c.system)?, &c.system.parameters.0);
     let assumed = c.assumptions.iter().map(|l| system.literal(l)).collect::<Result<Vec<_>>>()?;
     let claim = system.literal(&c.claim)?;
-    let mut state = system.placed(RULE, &c.start)?;
+    let mut state = system.placed(&c.start)?;
     let holds = |l: &Literal, state: &Values<'_>| l.map(|p| at(p, state)).decided() == Some(true);
     for literal in &assumed {
         ensure!(holds(literal, &state), RULE, "the start does not meet {literal}");
@@ -59,14 +58,18 @@ pub fn counterexample(c: &Counterexample) -> Result<Shown> {
     let step = c.steps.len();
     ensure!(!holds(&claim, &state), RULE, "at step {step} the claim holds");
     let start = system.start(&c.start);
-    let words = system.words(STEPS, &c.with, &assumed);
+    let words = system.words(["a linear system of", "in each step"], &c.with, &assumed);
     Ok((format!("{words}\n  refuted at step {step}: {claim}, by a run from {start}"), 1))
 }
 
 /// `refutation`: a run of the spec, on exact rationals, that meets the hypothesis and for which the
 /// spec's own conclusion answers what is stated.
 pub fn refutation(c: &Refutation) -> Result<Shown> {
-    let (theorem, form) = named(&c.theorem, &c.form)?;
+    let theorem = Theorem::ALL.into_iter().find(|t| t.number() == c.theorem);
+    let form = Form::ALL.into_iter().find(|f| f.label() == c.form);
+    let (Some(theorem), Some(form)) = (theorem, form) else {
+        return fault(RULE, "no such theorem or form");
+    };
     let (count, step) = (c.start.len(), c.step as usize);
     // Their finite conclusions say what the theorem says of full steps without delay only: the energy
     // stands for the limit, and a span of steps for all later ones, of one linear map.

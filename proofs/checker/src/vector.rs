@@ -6,7 +6,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use cordon_spec::{Params, Scalar, State};
 
 use crate::fault::{Result, Shown, ensure, fault};
-use crate::format::{Contraction, Growth};
 use crate::number::Number;
 use crate::poly::{Atom, Poly};
 use crate::system::Step;
@@ -14,16 +13,20 @@ use crate::system::Step;
 /// Most drones.
 const MAX_DRONES: usize = 10_000;
 
-/// Calls `row` with each row of |A| w and w there, A being the linear part of the spec's step on the inner drones'
-/// positions, hence of their errors: the targets are a fixed point, x' = A x + b with T = A T + b gives T - x' = A (T - x). That
-/// is checked here too. The vector w has an entry an inner drone, each above 0. Gives whether with s_i = 1 or with s_i = (-1)^i
-/// all s_i s_j a_ij have one sign.
-fn rows(
+/// `contraction`, with a rate: w > 0 and |A| w <= rate * w with 0 <= rate < 1. So max_i |e_i|/w_i falls by that rate in every
+/// step, from every start. `growth`, without one: w > 0 and |A| w >= w, and with s_i = 1 or s_i = (-1)^i no s_i s_j a_ij has another
+/// sign than the rest. So from errors s_i w_i no cancellation occurs and |e_i^k| >= w_i for every k.
+///
+/// A is the linear part of the spec's step on the inner drones' positions, hence of their errors: the targets are a fixed
+/// point, x' = A x + b with T = A T + b gives T - x' = A (T - x). That is checked here too.
+pub fn vector(
     rule: &'static str,
     (drones, eps, w): (u32, &Number, &[Number]),
+    rate: Option<&Number>,
     step: Step,
-    row: impl Fn(usize, Number, &Number) -> Result<()>,
-) -> Result<bool> {
+) -> Result<Shown> {
+    let falls = |rate| (Number::whole(0)..Number::whole(1)).contains(rate);
+    ensure!(rate.is_none_or(falls), rule, "the rate is not in [0, 1)");
     let count = drones as usize;
     let few = (3..=MAX_DRONES).contains(&count);
     ensure!(few, rule, "{drones} drones: expected 3 to {MAX_DRONES}");
@@ -52,35 +55,18 @@ fn rows(
             plain.insert(a.is_positive());
             alternating.insert(a.is_positive() == ((i + j) % 2 == 0));
         }
-        row(i, sum, &w[i - 1])?;
+        let (within, how) = match rate {
+            Some(rate) => (sum <= rate * &w[i - 1], "exceeds rate * w"),
+            None => (sum >= w[i - 1], "is below w"),
+        };
+        ensure!(within, rule, "drone {i}: |A| w {how}");
     }
-    Ok(plain.len() < 2 || alternating.len() < 2)
-}
-
-/// `contraction`: w > 0 and |A| w <= rate * w with 0 <= rate < 1. So max_i |e_i|/w_i falls by
-/// that rate in every step, from every start.
-pub fn contraction(c: &Contraction, step: Step) -> Result<Shown> {
-    const RULE: &str = "contraction";
-    let falls = (Number::whole(0)..Number::whole(1)).contains(&c.rate);
-    ensure!(falls, RULE, "the rate is not in [0, 1)");
-    rows(RULE, (c.drones, &c.eps, &c.vector), step, |i, sum, w| {
-        ensure!(sum <= &c.rate * w, RULE, "drone {i}: |A| w exceeds rate * w");
-        Ok(())
-    })?;
-    let said = "from every start all drones converge to their targets";
-    Ok((format!("N = {}, eps = {}: {said}", c.drones, c.eps), 1))
-}
-
-/// `growth`: w > 0 and |A| w >= w, and with s_i = 1 or s_i = (-1)^i no s_i s_j a_ij has another
-/// sign than the rest. So from errors s_i w_i no cancellation occurs and |e_i^k| >= w_i for every k.
-pub fn growth(c: &Growth, step: Step) -> Result<Shown> {
-    const RULE: &str = "growth";
-    let signs = rows(RULE, (c.drones, &c.eps, &c.vector), step, |i, sum, w| {
-        ensure!(sum >= *w, RULE, "drone {i}: |A| w is below w");
-        Ok(())
-    })?;
     // True of every weight here; it would not be of another protocol.
-    ensure!(signs, RULE, "the signs of A allow cancellation");
-    let said = "from some start the drones do not converge";
-    Ok((format!("N = {}, eps = {}: {said}", c.drones, c.eps), 1))
+    let signs = rate.is_some() || plain.len() < 2 || alternating.len() < 2;
+    ensure!(signs, rule, "the signs of A allow cancellation");
+    let said = match rate {
+        Some(_) => "from every start all drones converge to their targets",
+        None => "from some start the drones do not converge",
+    };
+    Ok((format!("N = {drones}, eps = {eps}: {said}"), 1))
 }

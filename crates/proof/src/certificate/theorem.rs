@@ -113,7 +113,7 @@ pub fn clause(name: &str, vars: &str, given: &[&str], goal: &str) -> Value {
 #[derive(Clone, Debug, Default)]
 pub struct Sheet {
     /// What runs, if it is a protocol of the spec.
-    pub system: Option<Value>,
+    system: Option<Value>,
     functions: Map<String, Value>,
     constants: Map<String, Value>,
     definitions: Vec<Value>,
@@ -124,18 +124,22 @@ pub struct Sheet {
 }
 
 impl Sheet {
-    /// A certificate about that system.
-    pub fn new(system: Value) -> Self {
+    /// A certificate about a protocol of the spec with such steps, of weight eps or another for drone i in step k.
+    pub fn of(protocol: &str, steps: &str, weight: Option<&str>) -> Self {
+        let mut system = json!({ "protocol": protocol, "steps": steps });
+        if let Some(weight) = weight {
+            system["weight"] = json!(weight);
+        }
         Self { system: Some(system), ..Self::default() }
     }
 
-    /// A certificate about a protocol at any weight.
-    pub fn of_any_weight(protocol: &str, drones: Option<u32>) -> Self {
-        let mut system = json!({ "protocol": protocol, "steps": "full" });
-        if let Some(n) = drones {
-            system["drones"] = json!(n);
-        }
-        Self::new(system)
+    /// A certificate about agents 0 to last of which nothing is known but that they are three or more: facts `n` and `last`.
+    pub fn of_three() -> Self {
+        let mut sheet = Self::default();
+        sheet.constant("last", "integer");
+        sheet.assume(clause("n", "", &[], "last - 2 >= 0"));
+        sheet.assume(clause("last", "", &[], "last > 0"));
+        sheet
     }
 
     /// Every function of so many integers to that sort is spoken of.
@@ -155,11 +159,11 @@ impl Sheet {
         of: &[&str],
         base: &[&str],
         step: &str,
-        scale: Option<(&str, &str)>,
+        scale: Option<&str>,
     ) {
         let mut body = json!({ "name": name, "of": of, "from": "0", "base": base, "step": step });
-        if let Some((by, sum)) = scale {
-            body["scale"] = json!({ "by": by, "sum": sum });
+        if let Some(scale) = scale {
+            body["scale"] = json!(scale);
         }
         self.definitions.push(body);
     }

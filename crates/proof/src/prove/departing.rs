@@ -1,10 +1,12 @@
 //! What is left of the theorems where messages are late, drones wait, or the weight changes.
 
-use cordon_spec::theorems::{Form, Theorem};
+use cordon_spec::theorems::{Form, StartSet, Theorem};
 use num_rational::BigRational as Rational;
-use serde_json::json;
 
-use super::lemmas::{ABOVE, BELOW, CELL, Scope, Steps, Weights, ends, system, weights};
+use super::lemmas::{
+    ABOVE, BELOW, CELL, Scope, Steps, Weights, coverage, ends, of_any_start, starts, theorem,
+    weights,
+};
 use crate::certificate::theorem::Sheet;
 
 /// 7.2 where nothing is seen more than one step late: for weights up to 2/5 order is kept, and each gap
@@ -15,7 +17,7 @@ pub fn ordering_one_late(scope: &Scope) -> Option<Sheet> {
     let within = from >= zero && to <= most;
     let spare = Rational::from_integer(2.into()) - Rational::from_integer(5.into()) * &to;
     let scope = Scope { weights: Some((from, to)), ..scope.clone() };
-    let mut sheet = Sheet::new(system(Some(Theorem::Ordering), &scope, Steps::Delay, true));
+    let mut sheet = theorem(Theorem::Ordering, Steps::Delay, &scope);
     weights(&mut sheet, Theorem::Ordering, &scope);
     ends(&mut sheet, Steps::Delay)?;
     sheet.read(include_str!("scripts/box.proof"), &[]).ok()?;
@@ -35,7 +37,7 @@ pub fn ordering_one_late(scope: &Scope) -> Option<Sheet> {
 
 /// 7.2 however late messages are, from a start with each drone in a cell of its own.
 pub fn ordering_in_cells(scope: &Scope) -> Option<Sheet> {
-    let (mut sheet, known) = begin(scope, Steps::Delay)?;
+    let (mut sheet, known) = of_any_start(scope, Steps::Delay)?;
     let shift = "constant shift: real\nassume shift.low |- shift >= 0\n\
                  assume shift.high |- max - min - last*shift > 0";
     sheet.read(shift, &[]).ok()?;
@@ -53,17 +55,17 @@ pub fn ordering_in_cells(scope: &Scope) -> Option<Sheet> {
 
 /// 7.2 where a drone may wait: the gaps stay between the smallest and the largest of the start.
 pub fn gaps_active(scope: &Scope) -> Option<Sheet> {
-    then(begin(scope, Steps::Activation)?, include_str!("scripts/gaps-active.proof"))
+    then(of_any_start(scope, Steps::Activation)?, include_str!("scripts/gaps-active.proof"))
 }
 
 /// 7.8 where nothing is seen more than d steps late: the rate of prompt messages, once in d + 1 steps.
 pub fn limit_late(scope: &Scope) -> Option<Sheet> {
-    then(begin(scope, Steps::Delay)?, include_str!("scripts/limit-late.proof"))
+    then(of_any_start(scope, Steps::Delay)?, include_str!("scripts/limit-late.proof"))
 }
 
 /// 7.8 where a drone may wait, but not for B steps on end: the rate of full steps, once in B steps.
 pub fn limit_active(scope: &Scope) -> Option<Sheet> {
-    then(begin(scope, Steps::Activation)?, include_str!("scripts/limit-active.proof"))
+    then(of_any_start(scope, Steps::Activation)?, include_str!("scripts/limit-active.proof"))
 }
 
 /// 7.2 with another weight in each step: the gaps stay between the smallest and the largest of the start.
@@ -123,12 +125,8 @@ fn varying(scope: &Scope, theorem: Option<Theorem>, scripts: &[(&str, &str)]) ->
 
 /// The protocol with that weight of drone i in step k, from the starts of a theorem or any with the ends in place.
 fn weighted(scope: &Scope, theorem: Option<Theorem>, weight: &str) -> Option<Sheet> {
-    let any = Scope { form: Form::Sharp, ..scope.clone() };
-    let mut system = system(Some(theorem.unwrap_or(Theorem::Limit)), &any, Steps::Full, true);
-    let fields = system.as_object_mut()?;
-    fields.remove("weights");
-    fields.insert("weight".into(), json!(weight));
-    let mut sheet = Sheet::new(system);
+    let mut sheet = coverage(Steps::Full, Some(weight), scope);
+    starts(&mut sheet, theorem.map_or(StartSet::Any, |t| t.hypothesis(Form::Sharp).starts));
     ends(&mut sheet, Steps::Full)?;
     scope.weights.is_none().then_some(sheet)
 }
@@ -136,7 +134,7 @@ fn weighted(scope: &Scope, theorem: Option<Theorem>, weight: &str) -> Option<She
 /// 7.2 where messages are lost, each way by itself, for any weights up to one below 1/2: strict order, the
 /// part 1 - 2 eps of each gap, the hull.
 pub fn ordering_with_losses(scope: &Scope) -> Option<Sheet> {
-    alone(scope, Sheet::default(), include_str!("scripts/loss.proof"))
+    alone(scope, Sheet::of_three(), include_str!("scripts/loss.proof"))
 }
 
 /// 7.2 and 7.3 where each drone has a weight of its own in each step, any from 0 to 1/2.
@@ -156,18 +154,18 @@ pub fn ordering_held(scope: &Scope) -> Option<Sheet> {
 
 /// There is none where they add up to more.
 pub fn ordering_held_exact(scope: &Scope) -> Option<Sheet> {
-    let system = json!({ "protocol": "coverage", "steps": "full", "weight": "w(k,i)" });
-    alone(scope, Sheet::new(system), include_str!("scripts/hold-exact.proof"))
+    let sheet = coverage(Steps::Full, Some("w(k,i)"), scope);
+    alone(scope, sheet, include_str!("scripts/hold-exact.proof"))
 }
 
 /// Weak order where messages are lost, as long as what neighbours take of each other adds up to 1 at most.
 pub fn weak_ordering_with_losses(scope: &Scope) -> Option<Sheet> {
-    alone(scope, Sheet::default(), include_str!("scripts/loss-sums.proof"))
+    alone(scope, Sheet::of_three(), include_str!("scripts/loss-sums.proof"))
 }
 
 /// There is none where it adds up to more.
 pub fn weak_ordering_with_losses_exact(scope: &Scope) -> Option<Sheet> {
-    alone(scope, Sheet::default(), include_str!("scripts/loss-exact.proof"))
+    alone(scope, Sheet::of_three(), include_str!("scripts/loss-exact.proof"))
 }
 
 /// 7.8 does not hold where another weight in each step is such that the sum of all is finite.
@@ -177,13 +175,13 @@ pub fn limit_exact(scope: &Scope) -> Option<Sheet> {
 
 /// Order where agents join and leave.
 pub fn ordering_joining(scope: &Scope) -> Option<Sheet> {
-    alone(scope, Sheet::default(), include_str!("scripts/joining.proof"))
+    alone(scope, Sheet::of_three(), include_str!("scripts/joining.proof"))
 }
 
 /// Rendez-vous with weights of their own from 0 to 1/2: nobody leaves the hull of the start.
 pub fn rendezvous(scope: &Scope) -> Option<Sheet> {
-    let system = json!({ "protocol": "consensus", "steps": "full", "weight": "w(k,i)" });
-    alone(scope, Sheet::new(system), include_str!("scripts/rendez-vous.proof"))
+    let sheet = Sheet::of("consensus", "full", Some("w(k,i)"));
+    alone(scope, sheet, include_str!("scripts/rendez-vous.proof"))
 }
 
 /// The script, which says itself what is assumed of the weights, for every N.
@@ -196,14 +194,4 @@ fn alone(scope: &Scope, mut sheet: Sheet, script: &str) -> Option<Sheet> {
 fn then((mut sheet, known): (Sheet, Weights), script: &str) -> Option<Sheet> {
     sheet.read(script, &[]).ok()?;
     (known.eps && known.half).then_some(sheet)
-}
-
-/// Any start with the ends in place, and the weights of 7.3: up to 1/2.
-fn begin(scope: &Scope, steps: Steps) -> Option<(Sheet, Weights)> {
-    let mut system = system(Some(Theorem::UpperBound), scope, steps, false);
-    system["starts"] = json!({ "theorem": "7.8", "form": "sharp" });
-    let mut sheet = Sheet::new(system);
-    let known = weights(&mut sheet, Theorem::UpperBound, scope);
-    ends(&mut sheet, steps)?;
-    Some((sheet, known))
 }

@@ -2,12 +2,14 @@
 
 use cordon_spec::theorems::{StartSet, Theorem};
 
-use super::lemmas::{Family, Scope, Steps, UPPER, ends, start_below, system, weights};
+use super::lemmas::{
+    Family, Scope, Steps, UPPER, ends, of_any_start, start_below, theorem, weights,
+};
 use crate::certificate::theorem::Sheet;
 
 /// 7.3: X_i <= T_i for all i and k.
 pub fn upper(scope: &Scope, steps: Steps) -> Option<Sheet> {
-    let mut sheet = Sheet::new(system(Some(Theorem::UpperBound), scope, steps, true));
+    let mut sheet = theorem(Theorem::UpperBound, steps, scope);
     let known = weights(&mut sheet, Theorem::UpperBound, scope);
     let base = start_below(Theorem::UpperBound.hypothesis(scope.form).starts)?;
     ends(&mut sheet, steps)?;
@@ -17,11 +19,7 @@ pub fn upper(scope: &Scope, steps: Steps) -> Option<Sheet> {
 
 /// Families that hold at the start hold at every step.
 pub fn assumed(scope: &Scope, steps: Steps, families: &[Family]) -> Option<Sheet> {
-    let mut system = system(Some(Theorem::UpperBound), scope, steps, false);
-    system["starts"] = serde_json::json!({ "theorem": "7.8", "form": "sharp" });
-    let mut sheet = Sheet::new(system);
-    let known = weights(&mut sheet, Theorem::UpperBound, scope);
-    ends(&mut sheet, steps)?;
+    let (mut sheet, known) = of_any_start(scope, steps)?;
     for f in families {
         let start = "assume @name.start(i) i: i >= 0, u: last - i >= 0 |- @f(0, i) @relation 0";
         let base = "by [h]\n  h = @name.start(i=i; i=[i], u=[u])";
@@ -33,7 +31,7 @@ pub fn assumed(scope: &Scope, steps: Steps, families: &[Family]) -> Option<Sheet
 
 /// 7.2: X_i < X_{i+1} for all i and k.
 pub fn ordering(scope: &Scope, steps: Steps) -> Option<Sheet> {
-    let mut sheet = Sheet::new(system(Some(Theorem::Ordering), scope, steps, true));
+    let mut sheet = theorem(Theorem::Ordering, steps, scope);
     let known = weights(&mut sheet, Theorem::Ordering, scope);
     let three = scope.drones == Some(3);
     let starts = Theorem::Ordering.hypothesis(scope.form).starts;
@@ -50,7 +48,7 @@ pub fn ordering(scope: &Scope, steps: Steps) -> Option<Sheet> {
     let half = if known.half { "[half]" } else { "[four]" };
     let four = if known.four { "four = weight.four(; four=[i] + [u])" } else { "" };
     // Of three drones there is no inner pair.
-    let inner = if three { "absurd [i] + [u]" } else { "@pairs" };
+    let inner = if three { "absurd [i] + [u] - [drones]" } else { "@pairs" };
     sheet.read(script, &[("half", half), ("four", four), ("inner", inner)]).ok()?;
     Some(sheet)
 }

@@ -2,7 +2,7 @@
 
 use cordon_spec::theorems::{Form, StartSet, Theorem, WeightRange};
 use num_rational::BigRational as Rational;
-use serde_json::{Map, Value, json};
+use serde_json::Value;
 
 use crate::certificate::theorem::{Sheet, absurd, cases, clause, instance, positivity, split};
 
@@ -28,28 +28,101 @@ pub struct Scope {
     pub drones: Option<u32>,
 }
 
-/// The system of a theorem.
-pub fn system(theorem: Option<Theorem>, scope: &Scope, steps: Steps, starts: bool) -> Value {
-    let mut body = Map::new();
-    let steps = match steps {
-        Steps::Full => "full",
-        Steps::Activation => "activation",
-        Steps::Delay => "delay",
+/// A certificate about coverage: that the segment has a length, what is known of who updates or of what is seen, and
+/// the number of drones.
+pub fn coverage(steps: Steps, weight: Option<&str>, scope: &Scope) -> Sheet {
+    let (name, known) = match steps {
+        Steps::Full => ("full", &[][..]),
+        Steps::Activation => (
+            "activation",
+            &[
+                ("active.low", "k i", "", "active(k,i) >= 0"),
+                ("active.high", "k i", "", "1 - active(k,i) >= 0"),
+            ][..],
+        ),
+        Steps::Delay => (
+            "delay",
+            &[
+                ("seen.low", "k i j", "k: k >= 0", "seen(k,i,j) >= 0"),
+                ("seen.high", "k i j", "k: k >= 0", "k - seen(k,i,j) >= 0"),
+            ][..],
+        ),
     };
-    body.insert("protocol".into(), json!("coverage"));
-    body.insert("steps".into(), json!(steps));
-    let of = theorem.map(|t| json!({ "theorem": t.number(), "form": scope.form.label() }));
-    if let Some(of) = of.as_ref().filter(|_| scope.weights.is_none()) {
-        body.insert("weights".into(), of.clone());
+    let mut sheet = Sheet::of("coverage", name, weight);
+    sheet.assume(clause("segment", "", &[], "max > min"));
+    for (name, vars, given, goal) in known {
+        sheet.assume(clause(name, vars, &[given], goal));
     }
-    if let Some(of) = of.filter(|_| starts) {
-        body.insert("starts".into(), of);
-    }
-    if let Some(n) = scope.drones {
-        body.insert("drones".into(), json!(n));
-    }
-    Value::Object(body)
+    number(&mut sheet, scope);
+    sheet
 }
+
+/// Assumes the number of drones, where there is one.
+pub fn number(sheet: &mut Sheet, scope: &Scope) {
+    if let Some(n) = scope.drones {
+        sheet.assume(clause("drones", "", &[], &format!("last + 1 = {n}")));
+    }
+}
+
+/// A certificate of a theorem about coverage: of its range of weights, or an interval, and its starts.
+pub fn theorem(theorem: Theorem, steps: Steps, scope: &Scope) -> Sheet {
+    let mut sheet = coverage(steps, None, scope);
+    let hypothesis = theorem.hypothesis(scope.form);
+    range(&mut sheet, hypothesis.weights, scope);
+    starts(&mut sheet, hypothesis.starts);
+    sheet
+}
+
+/// Assumes that range of weights, but for an interval in its place; that below the critical weight by the leading minors of the
+/// spec's `below_critical`, minor(i) being the one of i - 1 rows.
+pub fn range(sheet: &mut Sheet, range: WeightRange, scope: &Scope) {
+    let (low, high) = match (&scope.weights, range) {
+        (None, WeightRange::Any) | (Some(_), _) => return,
+        (None, WeightRange::Unit | WeightRange::UpToHalfOrOne) => ("eps >= 0", "1 >= eps"),
+        (None, WeightRange::BelowThird) => ("eps >= 0", "1 - 3*eps > 0"),
+        (None, WeightRange::BelowHalf) => ("eps >= 0", "1 - 2*eps > 0"),
+        (None, WeightRange::UpToHalf) => ("eps >= 0", "1 - 2*eps >= 0"),
+        (None, WeightRange::PositiveUpToHalf) => ("eps > 0", "1 - 2*eps >= 0"),
+        (None, WeightRange::BelowCritical) => ("eps > 0", ""),
+    };
+    sheet.assume(clause("weight.low", "", &[], low));
+    if range == WeightRange::BelowCritical {
+        sheet.function("minor", 1, "real");
+        let step = "minor(i+1) = 2*(1 - eps)*minor(i) - eps*eps*minor(i-1)";
+        sheet.assume(clause("minor.0", "", &[], "minor(0) = 0"));
+        sheet.assume(clause("minor.1", "", &[], "minor(1) = 1"));
+        sheet.assume(clause("minor.step", "i", &INSIDE, step));
+        let positive = ["i: i - 1 >= 0", "n: last - i >= 0"];
+        sheet.assume(clause("minor.positive", "i", &positive, "minor(i) > 0"));
+    } else {
+        sheet.assume(clause("weight.high", "", &[], high));
+    }
+    if range == WeightRange::UpToHalfOrOne {
+        sheet.assume(clause("weight.four", "", &["four: last - 3 >= 0"], "1 - 2*eps >= 0"));
+    }
+}
+
+/// Assumes a start: the end drones stand at the ends; all are in order, in the first subsegment, or below their targets.
+pub fn starts(sheet: &mut Sheet, starts: StartSet) {
+    sheet.assume(clause("start.first", "", &[], "x(0,0) = min"));
+    sheet.assume(clause("start.last", "", &[], "x(0,last) = max"));
+    if matches!(starts, StartSet::Ordered | StartSet::FirstSubsegment) {
+        let pairs = ["i: i >= 0", "n: last - i - 1 >= 0"];
+        sheet.assume(clause("start.order", "i", &pairs, "x(0,i+1) - x(0,i) > 0"));
+    }
+    if starts == StartSet::FirstSubsegment {
+        let within = "last*min + (max - min) - last*x(0,i) > 0";
+        sheet.assume(clause("start.segment", "i", &INSIDE, within));
+    }
+    if starts == StartSet::UpperBounded {
+        let (all, below) =
+            (["i: i >= 0", "n: last - i >= 0"], "last*min + i*(max - min) - last*x(0,i) >= 0");
+        sheet.assume(clause("start.bound", "i", &all, below));
+    }
+}
+
+/// What is given of inner drones.
+const INSIDE: [&str; 2] = ["i: i - 1 >= 0", "n: last - 1 - i >= 0"];
 
 /// What is known of the weights: as lemmas `eps` (>= 0, or > 0), `one` (1 - eps >= 0) and `half` (1 - 2 eps >= 0).
 #[derive(Clone, Copy, Debug, Default)]
@@ -133,6 +206,16 @@ pub fn weights(sheet: &mut Sheet, theorem: Theorem, scope: &Scope) -> Weights {
         }
     }
     known
+}
+
+/// Any start with the ends in place, and the weights of 7.3: up to 1/2.
+pub fn of_any_start(scope: &Scope, steps: Steps) -> Option<(Sheet, Weights)> {
+    let mut sheet = coverage(steps, None, scope);
+    range(&mut sheet, Theorem::UpperBound.hypothesis(scope.form).weights, scope);
+    starts(&mut sheet, StartSet::Any);
+    let known = weights(&mut sheet, Theorem::UpperBound, scope);
+    ends(&mut sheet, steps)?;
+    Some((sheet, known))
 }
 
 /// The end drones stay: lemmas `END0` and `ENDL`.

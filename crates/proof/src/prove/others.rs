@@ -1,8 +1,6 @@
 //! The bounds of 7.2 and 7.3 are exact, and local machines compute the global run.
 
-use serde_json::json;
-
-use super::lemmas::Scope;
+use super::lemmas::{Scope, Steps, coverage, number};
 use crate::certificate::theorem::Sheet;
 
 /// Beyond 1/2 a start in 7.2's set, given by formula, crosses at step 1, for every N >= 4.
@@ -16,14 +14,15 @@ pub fn upper_exact(scope: &Scope) -> Option<Sheet> {
 }
 
 fn beyond_half(scope: &Scope, script: &str) -> Option<Sheet> {
-    let mut sheet = Sheet::new(json!({ "protocol": "coverage", "steps": "full" }));
+    let mut sheet = coverage(Steps::Full, None, scope);
     sheet.read(script, &[]).ok()?;
     (scope.weights.is_none() && scope.drones.is_none()).then_some(sheet)
 }
 
 /// N local machines that exchange positions after every tick hold what the global run has.
 pub fn projection(scope: &Scope) -> Option<Sheet> {
-    let mut sheet = Sheet::of_any_weight("projection", scope.drones);
+    let mut sheet = Sheet::of("projection", "full", None);
+    number(&mut sheet, scope);
     sheet.read(include_str!("scripts/projection.proof"), &[]).ok()?;
     scope.weights.is_none().then_some(sheet)
 }

@@ -113,14 +113,13 @@ impl Sheet {
         Ok(())
     }
 
-    /// `p(i) = 1; eps*p(i)`, with `scale TERM by SUM` below.
+    /// `p(i) = 1; eps*p(i)`, with `scale TERM` below.
     fn definition(&mut self, text: &str, node: &Node, lets: &Lets) -> Result<(), Fault> {
         let (head, body) = parted(text, " = ")?;
         let (base, step) = parted(body, "; ")?;
         let (name, of, _) = abbreviation(head, "");
         let scale = node.below.first().map(|n| expanded(&n.text, lets)).transpose()?;
         let scale = scale.as_deref().and_then(|s| s.strip_prefix("scale "));
-        let scale = scale.map(|s| parted(s, " by ")).transpose()?;
         let of: Vec<&str> = of.iter().map(String::as_str).collect();
         self.define(&name, &of, &base.split(", ").collect::<Vec<_>>(), step, scale);
         Ok(())
@@ -354,13 +353,11 @@ fn nodes(mut lines: &[(usize, &str)]) -> Vec<Node> {
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
-    use serde_json::json;
-
     use super::*;
     use crate::certificate::theorem::induction;
 
     fn read(script: &str) -> Result<Value, Fault> {
-        let mut sheet = Sheet::new(json!({}));
+        let mut sheet = Sheet::of("coverage", "full", None);
         sheet.read(script, &[("half", "1/2")])?;
         Ok(sheet.certificate())
     }

@@ -1,10 +1,11 @@
 //! The sum of the positions: 7.4 to 7.7, and consensus. Partial sums c(k,m) = x(k,0) + ... +
 //! x(k,m-1); the whole sum is c(k,last+1).
 
-use cordon_spec::theorems::Theorem;
-use serde_json::json;
+use cordon_spec::theorems::{StartSet, Theorem};
 
-use super::lemmas::{Scope, Steps, TARGET, Weights, system, upper_bound, weights};
+use super::lemmas::{
+    Scope, Steps, TARGET, Weights, coverage, number, starts, theorem, upper_bound, weights,
+};
 use crate::certificate::theorem::Sheet;
 
 /// The proof in a script, for weights of which nothing but the range is needed.
@@ -27,9 +28,9 @@ fn below(
     suffice(known).then_some(sheet)
 }
 
-fn begin(theorem: Theorem, scope: &Scope) -> (Sheet, Weights) {
-    let mut sheet = Sheet::new(system(Some(theorem), scope, Steps::Full, true));
-    let known = weights(&mut sheet, theorem, scope);
+fn begin(of: Theorem, scope: &Scope) -> (Sheet, Weights) {
+    let mut sheet = theorem(of, Steps::Full, scope);
+    let known = weights(&mut sheet, of, scope);
     (sheet, known)
 }
 
@@ -45,9 +46,8 @@ pub fn maximal(scope: &Scope) -> Option<Sheet> {
 
 /// 7.5 identity: any start with the end drones in place.
 pub fn identity(scope: &Scope) -> Option<Sheet> {
-    let mut system = system(None, scope, Steps::Full, false);
-    system["starts"] = json!({ "theorem": "7.8", "form": "sharp" });
-    let mut sheet = Sheet::new(system);
+    let mut sheet = coverage(Steps::Full, None, scope);
+    starts(&mut sheet, StartSet::Any);
     sheet.read(include_str!("scripts/identity.proof"), &[]).ok()?;
     Some(sheet)
 }
@@ -86,7 +86,8 @@ pub fn globally_increasing(scope: &Scope) -> Option<Sheet> {
 
 /// Equation 6 on a path: consensus preserves the sum of the positions.
 pub fn consensus(scope: &Scope) -> Option<Sheet> {
-    let mut sheet = Sheet::of_any_weight("consensus", scope.drones);
+    let mut sheet = Sheet::of("consensus", "full", None);
+    number(&mut sheet, scope);
     sheet.read(include_str!("scripts/consensus.proof"), &[]).ok()?;
     scope.weights.is_none().then_some(sheet)
 }

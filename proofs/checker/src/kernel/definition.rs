@@ -14,12 +14,12 @@ use crate::poly::{Atom, Poly};
 const RULE: &str = "definition";
 
 impl Kernel {
-    /// Rule *definition*: there is just one function with the given first values and, from
-    /// them on, `scale` times the next value equal to `step`, which reads `base.len()` values
+    /// Rule *definition*: there is a function with the given first values and, from
+    /// them on, `scale` times the next value equal to `step` wherever `scale` is above 0; `step` reads `base.len()` values
     /// before it; nothing was known of its name. Gives the definition in words.
     ///
     /// # Errors
-    /// A name that is taken, values of other arguments, or a scale that may be 0.
+    /// A name that is taken, or values of other arguments.
     pub fn define(&mut self, d: &Definition) -> Result<String> {
         let (name, none) = (self.fresh(&d.name, &Vars::new())?, Vars::new());
         let mut vars = Vars::new();
@@ -45,11 +45,11 @@ impl Kernel {
             Poly::app(&name, &terms)
         };
         let from = Literal { poly: here.clone() - &start, relation: NonNegative };
-        let given: Facts = d.of.last().map(|_| ("from".into(), from)).into_iter().collect();
-        let (by, sum) = d.scale.as_ref().map_or(("1", "1"), |s| (&s.by, &s.sum));
-        let scale = self.signature.poly(by, &vars, false)?;
-        let positive = Literal { poly: scale.clone(), relation: Positive };
-        self.sum(&positive, &[], sum, &given, &vars)?;
+        let mut given: Facts = d.of.last().map(|_| ("from".into(), from)).into_iter().collect();
+        let scale = self.signature.poly(d.scale.as_deref().unwrap_or("1"), &vars, false)?;
+        if d.scale.is_some() {
+            given.insert("scale".into(), Literal { poly: scale.clone(), relation: Positive });
+        }
         let mut clauses = Vec::new();
         for (j, base) in d.base.iter().enumerate() {
             let poly = value(&start, j) - &self.signature.poly(base, &parameters, false)?;

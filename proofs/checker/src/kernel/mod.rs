@@ -37,11 +37,6 @@ impl Clause {
         Self { vars: Vars::new(), given: Facts::new(), goal }
     }
 
-    /// Whether a literal given is false, so that nothing is said.
-    pub fn is_vacuous(&self) -> bool {
-        self.given.values().any(|l| l.decided() == Some(false))
-    }
-
     /// The clause with polynomials in the place of variables.
     fn with(&self, value: &dyn Fn(&str) -> Option<Poly>) -> Self {
         let at = |p: &Poly| p.with(value);
@@ -62,7 +57,6 @@ impl Clause {
     }
 }
 
-/// What is said: literals given that hold anyway are left out.
 impl fmt::Display for Clause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (sort, word) in [(Sort::Integer, "integers"), (Sort::Real, "reals")] {
@@ -71,7 +65,7 @@ impl fmt::Display for Clause {
                 write!(f, "for all {word} {names}, ")?;
             }
         }
-        let given = joined(self.given.values().filter(|l| l.decided() != Some(true)), " and ");
+        let given = joined(self.given.values(), " and ");
         if !given.is_empty() {
             write!(f, "if {given} then ")?;
         }
@@ -99,8 +93,7 @@ impl Kernel {
         spend(128 + vars.len() as u64)?;
         let letters = name.starts_with(|c: char| c.is_ascii_alphabetic())
             && name.bytes().all(|b| b.is_ascii_alphanumeric());
-        let taken = name == "last" && self.signature.last.is_some()
-            || vars.iter().any(|(v, _)| **v == *name)
+        let taken = vars.iter().any(|(v, _)| **v == *name)
             || self.signature.constants.contains_key(name)
             || self.signature.functions.contains_key(name);
         ensure!(letters && !taken, "name", "`{name:.40}` is no name, or taken");

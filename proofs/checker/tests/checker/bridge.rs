@@ -4,18 +4,18 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use cordon_check::expr::{Relation, Sort};
-use cordon_check::format::System;
+use cordon_check::format::{Kind, System, read};
 use cordon_check::kernel::Kernel;
 use cordon_check::number::{Number, refill};
 use cordon_check::poly::{Atom, Poly};
 use cordon_check::system::{Step, install};
-use cordon_check::{Verdict, check_of};
+use cordon_check::{Verdict, assume, check_of};
 use cordon_spec::activation::exec_coverage_active;
 use cordon_spec::consensus::exec_consensus;
 use cordon_spec::coverage::exec_coverage;
 use cordon_spec::delay::exec_coverage_delayed;
 use cordon_spec::graph::Path;
-use cordon_spec::theorems::{Form, Setting, StartSet, Theorem, Truth, WeightRange};
+use cordon_spec::theorems::{Form, Setting, Theorem, Truth};
 use cordon_spec::{Params, Scalar, State};
 use serde_json::{Value, json};
 
@@ -27,7 +27,7 @@ fn kernel(system: &Value) -> Kernel {
     let system: System = serde_json::from_value(system.clone()).unwrap();
     let mut kernel = Kernel::default();
     kernel.function("w", 2, Sort::Real).unwrap();
-    install(Some(&system), &mut kernel, exec_coverage).unwrap();
+    install(&system, &mut kernel, exec_coverage).unwrap();
     kernel
 }
 
@@ -38,24 +38,6 @@ fn goal(kernel: &Kernel, name: &str, values: &[(&str, usize)]) -> Poly {
         known.map(|(_, n)| Poly::from_index(*n))
     };
     kernel.lemmas.get(name).unwrap_or_else(|| panic!("{name}")).goal.poly.substitute(&value)
-}
-
-/// For one N the words leave out what is no condition for it.
-#[test]
-fn words_for_one_number_of_drones_are_of_that_number() {
-    let said = |drones: u32| {
-        let of = json!({ "theorem": "7.2", "form": "sharp" });
-        let system =
-            json!({ "protocol": "coverage", "steps": "full", "weights": of, "drones": drones });
-        refill();
-        let system: System = serde_json::from_value(system).unwrap();
-        install(Some(&system), &mut Kernel::default(), exec_coverage).unwrap()
-    };
-    let words = |drones: u32, given: &str| {
-        format!("coverage with full steps, N = {drones}, last = N - 1\n  given: max > min; {given}")
-    };
-    assert_eq!(said(3), words(3, "eps >= 0; 1 >= eps"));
-    assert_eq!(said(4), words(4, "eps >= 0; 1 >= eps; 1 >= 2*eps"));
 }
 
 fn class(count: usize, i: usize) -> &'static str {
@@ -191,12 +173,19 @@ fn hypotheses_are_those_of_the_spec() {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (seed >> 33) % n
     };
+    let mut theorems = 0;
     for theorem in Theorem::ALL {
         for form in Form::ALL {
-            let of = json!({ "theorem": theorem.number(), "form": form.label() });
-            let system =
-                json!({ "protocol": "coverage", "steps": "full", "weights": of, "starts": of });
-            let kernel = kernel(&system);
+            let name = format!("{}-{}", theorem.number(), form.label());
+            let path = format!("{}/../certificates/{name}.json", env!("CARGO_MANIFEST_DIR"));
+            // As printed three are refuted.
+            let Ok(Kind::Theorem(t)) = read(&std::fs::read_to_string(path).unwrap()) else {
+                continue;
+            };
+            refill();
+            let mut kernel = Kernel::default();
+            assume(&t.statement, &mut kernel, exec_coverage).unwrap();
+            theorems += 1;
             let there = |names: &[&'static str]| -> Vec<&'static str> {
                 names.iter().copied().filter(|n| kernel.lemmas.contains_key(*n)).collect()
             };
@@ -247,6 +236,7 @@ fn hypotheses_are_those_of_the_spec() {
             }
         }
     }
+    assert_eq!(theorems, 17);
     assert!(answers[&true] > 1_000 && answers[&false] > 1_000, "{answers:?}");
 }
 
@@ -254,59 +244,32 @@ fn hypotheses_are_those_of_the_spec() {
 #[test]
 fn systems_have_the_clauses_of_the_format_and_no_others() {
     let step = |f: &str| ["first", "inner", "last"].map(|class| format!("{f}.{class}"));
-    let mut tried = 0;
-    for theorem in Theorem::ALL {
-        for form in Form::ALL {
-            let hypothesis = theorem.hypothesis(form);
-            let weights = match hypothesis.weights {
-                WeightRange::Any => "",
-                WeightRange::BelowCritical => {
-                    "weight.low minor.0 minor.1 minor.step minor.positive"
-                }
-                WeightRange::UpToHalfOrOne => "weight.low weight.high weight.four",
-                _ => "weight.low weight.high",
-            };
-            let starts = match hypothesis.starts {
-                StartSet::Any => "",
-                StartSet::Ordered => "start.order",
-                StartSet::FirstSubsegment => "start.order start.segment",
-                StartSet::UpperBounded => "start.bound",
-            };
-            let local = ["own", "prec", "foll", "own.start", "prec.start", "foll.start"];
-            let local: Vec<String> = local.iter().flat_map(|f| step(f)).collect();
-            for (protocol, steps, own) in [
-                ("coverage", "full", ""),
-                ("coverage", "activation", "active.low active.high"),
-                ("coverage", "delay", "seen.low seen.high"),
-                ("projection", "full", local.join(" ").as_str()),
-                ("consensus", "full", ""),
-            ] {
-                let of = json!({ "theorem": theorem.number(), "form": form.label() });
-                let mut system = json!({ "protocol": protocol, "steps": steps, "weights": of });
-                let mut expected = vec!["n", "last", weights, own];
-                if protocol != "consensus" {
-                    system["starts"] = of;
-                    expected.extend(["segment", "start.first", "start.last", starts]);
-                }
-                let expected = expected.join(" ") + " " + &step("step").join(" ");
-                let expected: BTreeSet<&str> = expected.split_whitespace().collect();
-                let kernel = kernel(&system);
-                let found: BTreeSet<&str> = kernel.lemmas.keys().map(|n| &**n).collect();
-                assert_eq!(found, expected, "{system}");
-                tried += 1;
-            }
-        }
+    let local = ["step", "own", "prec", "foll", "own.start", "prec.start", "foll.start"];
+    for (protocol, steps, functions) in [
+        ("coverage", "full", &local[..1]),
+        ("coverage", "activation", &local[..1]),
+        ("coverage", "delay", &local[..1]),
+        ("projection", "full", &local[..]),
+        ("consensus", "full", &local[..1]),
+    ] {
+        let kernel = kernel(&json!({ "protocol": protocol, "steps": steps }));
+        let steps: BTreeSet<String> = functions.iter().flat_map(|f| step(f)).collect();
+        let expected: BTreeSet<&str> =
+            steps.iter().map(String::as_str).chain(["n", "last"]).collect();
+        let found: BTreeSet<&str> = kernel.lemmas.keys().map(|n| &**n).collect();
+        assert_eq!(found, expected, "{protocol}");
     }
-    assert_eq!(tried, 100);
 }
 
-/// Without a system nothing is known but that there are three agents.
+/// Without a system nothing is known but what the statement says.
 #[test]
-fn agents_of_whom_nothing_is_known_have_two_clauses() {
+fn without_a_system_nothing_is_known() {
     let mut kernel = Kernel::default();
-    let words = install(None, &mut kernel, exec_coverage).unwrap();
-    assert_eq!(words, "a system of agents, every N >= 3, last = N - 1");
-    assert_eq!(kernel.lemmas.keys().map(|n| &**n).collect::<Vec<_>>(), ["last", "n"]);
+    let statement = json!({ "constants": { "last": "real" }, "conclusions": [] });
+    let statement = serde_json::from_value(statement).unwrap();
+    let words = assume(&statement, &mut kernel, exec_coverage).unwrap();
+    assert_eq!(words, ["for every real last"]);
+    assert!(kernel.lemmas.is_empty());
 }
 
 fn quotient(n: usize, d: usize) -> String {

@@ -55,7 +55,7 @@ struct Way {
 }
 
 /// Multipliers as numbers, and what they leave of a constant.
-fn row(
+pub fn row(
     multipliers: &Multipliers,
     constant: Rational,
     from: &[Literal],

@@ -5,6 +5,7 @@
 
 mod carry;
 mod claims;
+mod opening;
 mod walk;
 
 use std::collections::BTreeMap;
@@ -14,6 +15,10 @@ use serde_json::{Map, Value, json};
 
 use super::linear::{Invariance, LinearSystem, NodeClaim};
 use super::runs::{Literal, Runs, Time};
+use cordon_core::Rational;
+use cordon_core::system::expression::add_term;
+use num_traits::One;
+
 use super::theorem::{Sheet, clause, induction, positivity};
 use super::weights::{Factor, Sum};
 use carry::{Carry, Read, Weights};
@@ -36,6 +41,16 @@ struct Writer<'i> {
     earlier: String,
     /// The least value that literals > 0 are assumed to have at the start.
     margin: String,
+    opening: Opening,
+}
+
+/// The place whose literals are facts about the start, each by itself.
+struct Opening {
+    place: usize,
+    /// What the facts' names begin with.
+    facts: &'static str,
+    /// Literals > 0 are at least this, times the margin if there is one.
+    share: Rational,
 }
 
 /// Most literals of a node of which claims are instances; larger ones are divided into groups first.
@@ -63,6 +78,7 @@ pub fn certificate(invariance: &Invariance) -> Option<Value> {
     }
     let [margin, weight, added, earlier] =
         ["margin", "l", "c", "t"].map(|wanted| runs.names.stem(wanted));
+    let opening = Opening { place: 0, facts: "start", share: Rational::one() };
     let (system, step) = (&invariance.system, runs.step.clone());
     let mut writer = Writer {
         sheet,
@@ -76,8 +92,10 @@ pub fn certificate(invariance: &Invariance) -> Option<Value> {
         step,
         earlier,
         margin,
+        opening,
     };
     writer.assume_start();
+    writer.open()?;
     writer.prove_places()?;
     writer.conclude()?;
     Some(writer.sheet.certificate())
@@ -117,7 +135,7 @@ impl<'i> Writer<'i> {
     fn assume_start(&mut self) {
         let at = Time::step(0);
         let start = self.node(0).to_vec();
-        if start.iter().any(|l| l.sign == Sign::Positive) {
+        if self.has_margin() {
             let margin = self.margin.clone();
             self.sheet.constant(&margin, "real");
             self.sheet.assume(clause("margin.low", "", &[], &format!("{margin} > 0")));
@@ -132,6 +150,10 @@ impl<'i> Writer<'i> {
             };
             self.sheet.assume(clause(&format!("start.{j}"), "", &[], &goal));
         }
+    }
+
+    fn has_margin(&self) -> bool {
+        self.node(0).iter().any(|l| l.sign == Sign::Positive)
     }
 
     fn weight(&self, j: usize) -> String {
@@ -216,8 +238,8 @@ impl<'i> Writer<'i> {
         let node = self.node(place);
         let after = self.goal_weights(node);
         let how = &self.walk.places.get(place)?.how;
-        if let How::Start = how {
-            return Some(self.assumed(node));
+        if place == self.opening.place {
+            return Some(self.opened(node));
         }
         let before = self.node(place.checked_sub(1)?);
         let mut read = Read::default();
@@ -238,28 +260,31 @@ impl<'i> Writer<'i> {
         Some(positivity(&instances, &format!("[before]{}", read.zero)))
     }
 
-    /// The clause of the start from what is assumed.
-    fn assumed(&self, start: &[Literal]) -> Value {
+    /// The clause of the opening from the facts.
+    fn opened(&self, node: &[Literal]) -> Value {
+        let Opening { facts, share, .. } = &self.opening;
+        let added = format!("[{}]", self.added);
         let mut sum = String::new();
-        for (j, literal) in start.iter().enumerate() {
+        for (j, literal) in node.iter().enumerate() {
             let l = self.weight(j);
             let l = if literal.sign == Sign::Zero { l } else { format!("[{l}]") };
-            sum += &format!("{l}*[start.{j}] + ");
+            add_term(&mut sum, &Rational::one(), &[&l, &format!("[{facts}.{j}]")]);
         }
-        let strict = start.iter().any(|l| l.sign == Sign::Positive);
-        positivity(
-            &[],
-            &match strict {
-                true => format!("{sum}[margin.low]*[positive] + [margin.high]*[{}]", self.added),
-                false => format!("{sum}[positive]"),
-            },
-        )
+        let factors: &[&str] = if self.has_margin() { &["[margin.low]"] } else { &[] };
+        add_term(&mut sum, share, &[factors, &["[positive]"]].concat());
+        if !share.is_one() {
+            add_term(&mut sum, &(Rational::one() - share), &[&added]);
+        }
+        if self.has_margin() {
+            add_term(&mut sum, share, &["[margin.high]", &added]);
+        }
+        positivity(&[], &sum)
     }
 
     /// A lemma for each place.
     fn prove_places(&mut self) -> Option<()> {
         let first = self.period().map(|(first, _)| first);
-        for place in 0..self.walk.places.len() {
+        for place in self.opening.place..self.walk.places.len() {
             let before = place.checked_sub(1);
             let at = self.time(place);
             let recurs = before.is_some() && first.is_some_and(|first| place > first);

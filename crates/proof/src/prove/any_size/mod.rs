@@ -80,7 +80,7 @@ pub fn any_size(family: &Family) -> Result<AnySize> {
     for (j, c) in candidates.iter_mut().enumerate() {
         c.name = format!("L{j}");
     }
-    let mut sheet = Sheet::default();
+    let mut sheet = Sheet::of_three();
     let mut about_constants = Vec::new();
     let mut assume = |sheet: &mut Sheet, name: String, literal: Literal| {
         sheet.assume(clause(&name, "", &[], &goal(&symbols, &literal, "k")));

@@ -10,7 +10,7 @@ use cli::Cli;
 use cli::edge::Call;
 use cli::help;
 use cli::progress::{Beside, Heartbeat};
-use cordon_core::text::Printable;
+use cordon_core::text::{Printable, printable};
 use cordon_core::{Error, Outcome, Result};
 
 fn main() -> ExitCode {
@@ -44,8 +44,11 @@ fn usage(error: &clap::Error) -> ExitCode {
         .replace("cannot parse integer from empty string", "expected a whole number")
         .replace("number too large to fit in target type", "expected a smaller number")
         .replace("invalid float literal", "expected a number");
-    let printed =
-        if plain == text { error.print() } else { write!(Printable(io::stderr()), "{plain}") };
+    // What clap prints itself has colours, and what was typed as it is.
+    let printed = match plain == text && printable(&text) == text {
+        true => error.print(),
+        false => Printable(io::stderr()).write_all(plain.as_bytes()),
+    };
     let numbers: Vec<String> = std::env::args().filter(|a| a.starts_with("7.")).collect();
     if error.use_stderr() && numbers.len() > 1 {
         let _ = writeln!(
@@ -73,7 +76,15 @@ fn run(cli: Cli, call: &Call<'_>) -> Result<Outcome> {
         Box::new(BufWriter::new(Beside { stream: io::stdout().lock(), heartbeat }))
     };
     let mut out = Printable(edge);
-    let outcome = cli.run(&mut out)?;
+    let outcome = if call.writes_files() && !to_stderr {
+        // Said once all is written: where that fails, nothing is.
+        let mut held = Printable(Vec::new());
+        let outcome = cli.run(&mut held)?;
+        out.write_all(&held.0)?;
+        outcome
+    } else {
+        cli.run(&mut out)?
+    };
     out.flush()?;
     Ok(outcome)
 }

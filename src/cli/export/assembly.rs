@@ -32,7 +32,7 @@ pub struct ExportArgs {
 fn assembly(args: &ExportArgs, format: Format) -> Result<(Assembly, FmiVersion, Vec<u8>)> {
     // Not every tool can connect strings, and some silently read them as empty.
     let (swarm, places) = args.flight.swarm_exchanging(&args.scenario, "double")?;
-    if !args.out.is_dir() {
+    if let Format::Ssp = format {
         files::expect_writable(&args.out)?;
     }
     let assembly = Assembly::of(&swarm).and_then(|assembly| match format {

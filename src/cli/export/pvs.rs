@@ -67,10 +67,7 @@ fn theory(system: &System) -> Result<File> {
 
 fn instance(args: &Args) -> Result<Instance> {
     let scenario = match &args.scenario {
-        Some(path) => scenario::read(path)?.finish().map_err(|e| match e {
-            Error::Input(message) => Error::input(format!("{}: {message}", path.display())),
-            other => other,
-        })?,
+        Some(path) => scenario::read(path)?.finish()?,
         None => scenario::parse("scenarios/paper.toml", PAPER)?.finish()?,
     };
     let Scenario { title, .. } = &scenario;

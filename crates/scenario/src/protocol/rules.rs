@@ -82,7 +82,7 @@ impl<'s> Rules<'s> {
             links,
             modes: Vec::new(),
             cycle: None,
-            skip: doc.departures.skip,
+            skip: doc.departures.skips(),
             loss: doc.loss(source)?,
             delay: doc.delay(source)?,
             unnamed,
@@ -91,7 +91,8 @@ impl<'s> Rules<'s> {
         let empty = RuleTable::new();
         let base = base.unwrap_or(&empty);
         if doc.modes.is_empty() {
-            rules.modes.push(("step".to_owned(), rules.mode("rules", base, None)?));
+            let place = doc.rules.as_ref().map(Spanned::span);
+            rules.modes.push(("step".to_owned(), rules.mode("rules", place, base, None)?));
         }
         // In the order in which they are declared: the first acts in a run of which nothing else is said.
         let mut declared: Vec<_> = doc.modes.iter().collect();
@@ -104,7 +105,8 @@ impl<'s> Rules<'s> {
                 let message = format!("{field}: expected a name of letters and digits");
                 return Err(source.error(&name.span(), &message));
             }
-            rules.modes.push((name.get_ref().clone(), rules.mode(&field, base, Some(table))?));
+            let mode = rules.mode(&field, Some(name.span()), base, Some(table))?;
+            rules.modes.push((name.get_ref().clone(), mode));
         }
         if let Some(list) = &doc.switching {
             let place = |mode: &Spanned<String>| {
@@ -130,7 +132,13 @@ impl<'s> Rules<'s> {
 
     /// The rule of every agent: of the mode, else of the file; of the agent, else of its class, else
     /// of all.
-    fn mode(&self, field: &str, base: &RuleTable, over: Option<&RuleTable>) -> Result<Vec<Rule>> {
+    fn mode(
+        &self,
+        field: &str,
+        place: Option<Range<usize>>,
+        base: &RuleTable,
+        over: Option<&RuleTable>,
+    ) -> Result<Vec<Rule>> {
         let mut chosen: Vec<Option<(u8, Rule)>> = vec![None; self.count];
         let tables = [(base, "rules", 0)].into_iter().chain(over.map(|t| (t, field, 4)));
         for (table, field, rank) in tables {
@@ -148,14 +156,26 @@ impl<'s> Rules<'s> {
         let mut rules = Vec::new();
         for (i, rule) in chosen.into_iter().enumerate() {
             let Some((_, rule)) = rule else {
-                return Err(Error::input(format!(
-                    "{}: {field}: agent {i} has no rule: expected `all`, `inner` or `{i}`",
-                    self.source.name
-                )));
+                let class = self.class_of(i);
+                let message =
+                    format!("{field}: agent {i} has no rule: expected `all`, `{class}` or `{i}`");
+                return Err(match &place {
+                    Some(place) => self.source.error(place, &message),
+                    None => Error::input(format!("{}: {message}", self.source.name)),
+                });
             };
             rules.push(rule);
         }
         Ok(rules)
+    }
+
+    /// The key of the class that agent `i` is of.
+    fn class_of(&self, i: usize) -> &'static str {
+        match i {
+            0 => "first",
+            _ if i + 1 == self.count => "last",
+            _ => "inner",
+        }
     }
 
     /// The agents that a key of rules speaks of, and how particular it is.
@@ -235,9 +255,8 @@ impl<'s> Rules<'s> {
             let mut next = self.execute(rules, &layout, &ignored)?;
             next.extend(layout.past.iter().map(|p| p.next.clone()));
             let mode = Mode::read(name, &next, layout.state.len(), &layout.parameters);
-            modes.push(
-                mode.map_err(|e| Error::input(format!("{}: {name}: {e}", self.source.name)))?,
-            );
+            let place = rules.first().map_or(0..0, |rule| rule.place.clone());
+            modes.push(mode.map_err(|e| self.source.error(&place, &format!("{name}: {e}")))?);
         }
         Ok(Built {
             state: layout.state,

@@ -22,5 +22,7 @@ mod prove;
 mod refute;
 mod separation;
 mod settle;
+mod smt2_answers;
+mod smt2_text;
 mod swarm;
 mod threshold;

@@ -10,7 +10,7 @@ use cli::Cli;
 use cli::edge::Call;
 use cli::help;
 use cli::progress::{Beside, Heartbeat};
-use cordon_core::text::{Printable, printable};
+use cordon_core::text::{Printable, printable, short_numbers};
 use cordon_core::{Error, Outcome, Result};
 
 fn main() -> ExitCode {
@@ -91,5 +91,5 @@ fn run(cli: Cli, call: &Call<'_>) -> Result<Outcome> {
 
 fn report(error: &Error) {
     // If stderr is closed too there is nothing left to do.
-    let _ = writeln!(Printable(io::stderr()), "error: {error}");
+    let _ = writeln!(Printable(io::stderr()), "error: {}", short_numbers(&error.to_string()));
 }

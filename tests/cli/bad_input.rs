@@ -230,5 +230,5 @@ fn bad_scenario_files_are_named_with_their_place() {
     std::fs::write(&path, b"start = [0, 1, \xff]").unwrap();
     let (code, _, err) = run(&["trace", path.to_str().unwrap()]);
     assert_eq!(code, 2);
-    assert!(err.contains("expected UTF-8 text"));
+    assert!(err.contains("text of another encoding: expected a scenario, which is UTF-8 text"));
 }

@@ -466,7 +466,7 @@ fn bad_input_is_named() {
     let error = stderr_of(&["export", "pvs", "--scenario", "scenarios/consensus.toml"], 2);
     assert_eq!(
         error,
-        "error: protocol: `consensus`: expected `coverage`, the protocol of the paper's listings\n"
+        "error: scenarios/consensus.toml: protocol: `consensus`: expected `coverage`, the protocol of the paper's listings\n"
     );
     let error = stderr_of(&["export", "pvs", "--scenario", "no/such.toml"], 74);
     assert!(error.starts_with("error: cannot read `no/such.toml`"), "{error}");

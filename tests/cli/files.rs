@@ -498,7 +498,7 @@ fn another_kind_of_file_is_named() {
     let empty = folder.with("empty.toml", " \n");
     let table = folder.with("run.csv", "time,x0,x1\n0,1,2\n");
     let page = folder.with("page.html", "<!doctype html>");
-    let certificate = "proofs/certificates/7.2-sharp.json";
+    let json = folder.with("json.toml", "{ \"schema\": \"cordon-certificate/2\" }");
     let directory = folder.0.path().display().to_string();
     let (scenario, protocol) = ("scenarios/paper.toml", "scenarios/own/coverage.toml");
     let mut tried = 0;
@@ -509,7 +509,7 @@ fn another_kind_of_file_is_named() {
         (&empty, "empty"),
         (&table, "a table in CSV"),
         (&page, "XML or HTML"),
-        (certificate, "JSON"),
+        (&json, "JSON"),
         (&directory, "a folder"),
     ] {
         for (call, expected) in [

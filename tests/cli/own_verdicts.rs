@@ -278,7 +278,8 @@ fn help_that_cannot_be_written_is_no_success() {
 #[test]
 fn ends_without_a_bracket_are_told_apart() {
     let known = |set: &str| {
-        let line = ["threshold", "--protocol", "scenarios/own/coverage.toml", "--set", set];
+        let own = "scenarios/own/coverage.toml";
+        let line = ["threshold", "--protocol", own, "--agents", "4", "--set", set];
         let (code, out, _) = run(&[&line[..], &["--format", "json"]].concat());
         assert_eq!(code, 3, "{out}");
         let page: serde_json::Value = serde_json::from_str(&out).unwrap();
@@ -291,7 +292,8 @@ fn ends_without_a_bracket_are_told_apart() {
     let (text, ends) = known("eps=3/5..1");
     assert!(text.contains("it fails at the lower end of eps and fails at the upper end"), "{text}");
     assert_eq!(ends, serde_json::json!([end("3/5", "fails"), end("1", "fails")]));
-    let bracketed = "threshold --protocol scenarios/own/coverage.toml --set eps=0..1 --digits 1";
+    let bracketed =
+        "threshold --protocol scenarios/own/coverage.toml --agents 4 --set eps=0..1 --digits 1";
     let line: Vec<_> = bracketed.split(' ').chain(["--format", "json"]).collect();
     let page: serde_json::Value = serde_json::from_str(&run(&line).1).unwrap();
     assert_eq!(

@@ -42,6 +42,22 @@ pub fn cut(text: &str, most: usize) -> String {
     }
 }
 
+/// The text with numbers of more than 60 digits shortened: exact fractions have no length that a message
+/// could count on.
+pub fn short_numbers(text: &str) -> String {
+    let is_digit = |c: char| c.is_ascii_digit();
+    let mut short = String::new();
+    let mut rest = text;
+    while let Some(at) = rest.find(is_digit) {
+        let (before, from) = rest.split_at(at);
+        let (digits, after) = from.split_at(from.find(|c| !is_digit(c)).unwrap_or(from.len()));
+        short += before;
+        short += &(if digits.len() > 60 { cut(digits, 40) } else { digits.to_owned() });
+        rest = after;
+    }
+    short + rest
+}
+
 /// The text as one word of a shell's command line.
 pub fn shell_word(text: &str) -> Cow<'_, str> {
     let safe = |c: char| c.is_ascii_alphanumeric() || "-_./,:=@%+".contains(c);
@@ -105,5 +121,9 @@ mod tests {
         assert_eq!(shell_word(""), "''");
         assert_eq!(cut("abcdef", 3), "abc...");
         assert_eq!(cut("abc", 3), "abc");
+        let long = format!("1/{}: x2", "3".repeat(61));
+        assert_eq!(short_numbers(&long), format!("1/{}...: x2", "3".repeat(40)));
+        assert_eq!(short_numbers(&"7".repeat(60)), "7".repeat(60));
+        assert_eq!(short_numbers("größer, 12 and 3"), "größer, 12 and 3");
     }
 }

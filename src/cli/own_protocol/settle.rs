@@ -10,7 +10,7 @@ use super::page::Page;
 use super::show::headline;
 use super::{ProtocolArgs, assumed};
 use crate::cli::select::OutputFormat;
-use cordon_core::exact::{decimal_string, fraction};
+use cordon_core::exact::{decimal_string, fraction, shortened};
 use cordon_core::system::{Convergence, System};
 use cordon_core::{Error, Evidence, Outcome, Rational, Result, progress};
 use cordon_proof::claims::converge;
@@ -50,7 +50,8 @@ pub fn settle(
     match (&found, step) {
         (Some(c), Some(step)) => {
             page.line(format_args!(
-                "  every agent within {distance} of {of} from step {step} on, from {from}"
+                "  every agent within {} of {of} from step {step} on, from {from}",
+                shortened(&distance)
             ))?;
             page.line(format_args!(
                 "  {}: the root of a quadratic form falls to at most {} ({}) of what it was in every {}; the true step may be earlier",

@@ -62,7 +62,9 @@ fn is_protocol(text: &str) -> bool {
 }
 
 fn no_scenario(name: &str) -> Error {
-    Error::input(format!("{name}: a protocol file: expected a scenario, or --protocol {name}"))
+    Error::input(format!(
+        "{name}: a protocol file: expected a scenario, or --protocol {name} where the command has it"
+    ))
 }
 
 /// Reads a scenario from text; `name` stands for the file in messages.

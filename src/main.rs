@@ -77,16 +77,28 @@ fn run(cli: Cli, call: &Call<'_>) -> Result<Outcome> {
     };
     let mut out = Printable(edge);
     let outcome = if call.writes_files() && !to_stderr {
-        // Said once all is written: where that fails, nothing is.
+        // Said once all is written: where that fails, nothing is. A run that broke off is written, too.
         let mut held = Printable(Vec::new());
-        let outcome = cli.run(&mut held)?;
-        out.write_all(&held.0)?;
-        outcome
+        let ended = cli.run(&mut held);
+        if !ended.as_ref().is_err_and(is_about_files) {
+            out.write_all(&held.0)?;
+            out.flush()?;
+        }
+        ended?
     } else {
         cli.run(&mut out)?
     };
     out.flush()?;
     Ok(outcome)
+}
+
+/// Whether a file could not be read or written, or may not be.
+fn is_about_files(error: &Error) -> bool {
+    match error {
+        Error::File { .. } => true,
+        Error::Input(message) => message.starts_with("out: "),
+        _ => false,
+    }
 }
 
 fn report(error: &Error) {

@@ -106,12 +106,12 @@ pub fn expect_folder(path: &Path) -> Result<()> {
     if nearest.is_dir() {
         return temporary_beside(&nearest.join("new")).map(drop).map_err(fail);
     }
-    let (given, stands) = (path.display(), nearest.display());
     let kind = if nearest.is_file() { "a file" } else { "no folder" };
-    Err(Error::input(match nearest == path {
-        true => format!("out: `{given}`: {kind}: expected a folder, or a name for a new one"),
-        false => format!("out: `{given}`: `{stands}` is {kind}: expected a folder there"),
-    }))
+    let message = match nearest == path {
+        true => format!("{kind}: expected a folder, or a name for a new one"),
+        false => format!("`{}` is {kind}: expected a folder", nearest.display()),
+    };
+    Err(fail(io::Error::new(io::ErrorKind::NotADirectory, message)))
 }
 
 /// Whether a name stands for this program's stdout: `-`, `/dev/stdout`, or what stdout is

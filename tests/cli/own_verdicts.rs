@@ -333,19 +333,19 @@ fn what_is_wrong_with_a_protocol_file_has_its_place() {
             "claims = [\"x0 = 0\"]\n",
             "",
             &["prove"],
-            ": claims: is missing: expected `claims` or `converges`",
+            ": claims: none: expected `claims` or `converges`",
         ),
         (
             "claims = [\"x0 = 0\"]\n",
             "converges = \"agreement\"\n",
             &["refute"],
-            ": claims: is missing",
+            ": claims: none: expected",
         ),
         (
             "claims = [\"x0 = 0\"]\n",
             "converges = \"agreement\"\n",
             &["sweep"],
-            ": claims: is missing",
+            ": claims: none: expected",
         ),
         ("agents = 3\n", "", &["prove"], ": agents: is missing: expected their number"),
         (

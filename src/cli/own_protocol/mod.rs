@@ -174,7 +174,7 @@ impl ProtocolArgs {
 
     /// The error where the file does not have a key that a command is about.
     fn misses(&self, key: &str, expected: &str) -> Error {
-        Error::input(format!("{}: {key}: is missing: expected {expected}", self.path().display()))
+        Error::input(format!("{}: {key}: none: expected {expected}", self.path().display()))
     }
 
     fn path(&self) -> &Path {
@@ -221,7 +221,7 @@ fn opened(path: &Path) -> Result<ProtocolFile> {
 /// A file without claims can be run; there is nothing in it to decide.
 fn expect_claim(file: &ProtocolFile, system: &System) -> Result<()> {
     match system.claims.is_empty() && system.converges.is_none() {
-        true => Err(file.error("claims", "is missing: expected `claims` or `converges`")),
+        true => Err(file.error("claims", "none: expected `claims` or `converges`")),
         false => Ok(()),
     }
 }

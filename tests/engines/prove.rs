@@ -130,11 +130,11 @@ fn prove_says_what_is_wrong_with_its_input() {
 }
 
 /// Numbers of SplitMix64: the same in every run.
-struct Source(u64);
+pub(super) struct Source(pub(super) u64);
 
 impl Source {
     /// A number below `n`.
-    fn below(&mut self, n: usize) -> usize {
+    pub(super) fn below(&mut self, n: usize) -> usize {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);

@@ -7,11 +7,13 @@ use std::sync::{Mutex, PoisonError};
 
 use crate::{Error, Result};
 
+pub mod kind;
 #[cfg(feature = "output")]
 mod output;
 #[cfg(feature = "output")]
 pub use output::{
-    expect_writable, is_regular, is_stdout, same, write_atomically, write_regardless, write_whole,
+    expect_folder, expect_writable, is_regular, is_stdout, same, write_atomically,
+    write_regardless, write_whole,
 };
 
 /// The name that stands for stdin where a file is read, and for stdout where one is written.
@@ -81,7 +83,12 @@ pub fn read(path: &Path, limit: Limit) -> Result<Vec<u8>> {
         io::stdin().lock().take(limit.bytes + 1).read_to_end(&mut bytes).map_err(fail)?;
     } else {
         let file = File::open(path).map_err(fail)?;
-        if file.metadata().map_err(fail)?.len() > limit.bytes {
+        let found = file.metadata().map_err(fail)?;
+        if found.is_dir() {
+            let message = format!("a folder: expected {}", limit.what);
+            return Err(fail(io::Error::new(io::ErrorKind::IsADirectory, message)));
+        }
+        if found.len() > limit.bytes {
             return Err(too_large());
         }
         is_input(path);
@@ -95,8 +102,15 @@ pub fn read(path: &Path, limit: Limit) -> Result<Vec<u8>> {
 /// # Errors
 /// As [`read`], or the file is no UTF-8 text.
 pub fn read_text(path: &Path, limit: Limit) -> Result<String> {
-    let mut text = String::from_utf8(read(path, limit)?)
-        .map_err(|_| Error::input(format!("`{}`: expected UTF-8 text", path.display())))?;
+    let bytes = read(path, limit)?;
+    let (name, what) = (path.display(), limit.what);
+    if let Some(kind) = kind::binary(&bytes) {
+        return Err(Error::input(format!(
+            "`{name}`: {kind}: expected {what}, which is UTF-8 text"
+        )));
+    }
+    let mut text = String::from_utf8(bytes)
+        .map_err(|_| Error::input(format!("`{name}`: expected {what}, which is UTF-8 text")))?;
     if text.starts_with('\u{feff}') {
         text.drain(..'\u{feff}'.len_utf8());
     }

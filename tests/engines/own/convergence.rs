@@ -77,7 +77,8 @@ fn modes_have_forms_of_their_own() {
     let system = own("two-modes", None);
     let found = converge::contraction(&system).unwrap().unwrap();
     assert_eq!(found.forms.len(), 2);
-    assert!(found.certificate["certificate"]["quadratic"]["matrices"].get("second").is_some());
+    let form = &found.certificate["certificate"]["theorem"]["statement"]["definitions"][2]["step"];
+    assert!(form.as_str().unwrap().contains("second(k)*("), "{form}");
     assert!(is_valid(&found.certificate));
     let step = cordon_proof::claims::settle::settles(&system, &found, None, &q("1/10")).unwrap();
     // Every word of modes as long as that ends within, from every corner of the box.

@@ -117,6 +117,11 @@ impl<'q> Writer<'q> {
         let forms = quadratic.forms.iter().map(|p| matrix_times(&unit, p)).collect();
         let mut sheet = Sheet::default();
         let mut runs = Runs::declare(&mut sheet, &quadratic.system, Turns::Any)?;
+        if quadratic.forms.len() != 1
+            && !(runs.chooses() && quadratic.forms.len() == runs.modes.len())
+        {
+            return None;
+        }
         let mut ranges = runs.ranges.iter();
         let mut values = BTreeMap::new();
         for (name, [low, high]) in &quadratic.system.parameters {
@@ -196,7 +201,7 @@ impl<'q> Writer<'q> {
     /// The hypothesis of an induction, of this step.
     fn before(&self) -> Value {
         let (k, earlier) = (&self.runs.step, &self.earlier);
-        instance("before", "IH", &format!("{earlier}={k}"), &format!("{k}=[{k}], {earlier}=0"))
+        instance("before", "IH", &format!("{earlier}={k}"), &format!("{k}=[{k}]"))
     }
 
     /// The modes' selectors at that time; none where one mode acts in all steps.
@@ -257,14 +262,15 @@ impl<'q> Writer<'q> {
             let mut read = BTreeMap::new();
             for mode in 0..self.runs.modes.len() {
                 let row = self.row(mode, a)?;
-                let by = selectors.as_ref().map_or("1", |s| &s[mode]);
+                let by = selectors.as_ref().map(|s| format!("{}*", s[mode])).unwrap_or_default();
                 let terms: Vec<String> =
                     row.iter().map(|(b, c)| format!("({c})*{}", here[*b])).collect();
+                let terms = terms.join(" + ");
                 if !terms.is_empty() {
-                    goal.push(format!("{by}*({})", terms.join(" + ")));
+                    goal.push(if by.is_empty() { terms } else { format!("{by}({terms})") });
                 }
                 for (b, c) in &row {
-                    sum += &format!(" - {by}*({c})*[{}]", self.y[*b]);
+                    sum += &format!(" - {by}({c})*[{}]", self.y[*b]);
                     read.insert(*b, ());
                 }
             }
@@ -303,7 +309,7 @@ impl<'q> Writer<'q> {
                 let root = format!("{}{}", self.q, long.len());
                 given.push(format!("e{i}: {root} = {text}"));
                 add_term(&mut sum, &-&factor, &[&format!("[e{i}]"), &format!("({text} + {root})")]);
-                long.push((root.clone(), format!("e{i}"), text));
+                long.push((root.clone(), text));
                 root
             } else {
                 text
@@ -312,9 +318,6 @@ impl<'q> Writer<'q> {
             facts.push(instance(&format!("s{i}"), "square", &format!("{}={root}", self.s), ""));
         }
         let goal = format!("{} >= 0", quadratic(&matrix_times(&scale, m), &self.z));
-        let with = |variables: &mut dyn Iterator<Item = (String, String)>| {
-            variables.map(|(a, b)| format!("{a}={b}")).collect::<Vec<_>>().join(", ")
-        };
         let roots: Names = long.iter().map(|(root, ..)| root.clone()).collect();
         let under = if long.is_empty() { name.to_owned() } else { format!("{name}.squares") };
         let given: Vec<&str> = given.iter().map(String::as_str).collect();
@@ -322,11 +325,9 @@ impl<'q> Writer<'q> {
         self.sheet.lemma(clause(&under, &reals(&[&self.z, &roots]), &given, &goal), proof);
         if !long.is_empty() {
             let same = self.z.iter().map(|z| (z.clone(), z.clone()));
-            let all = with(
-                &mut same.chain(long.iter().map(|(root, _, text)| (root.clone(), text.clone()))),
-            );
-            let given = with(&mut long.iter().map(|(_, e, _)| (e.clone(), "0".to_owned())));
-            let proof = positivity(&[instance("squares", &under, &all, &given)], "[squares]");
+            let all: Names = same.chain(long).map(|(v, term)| format!("{v}={term}")).collect();
+            let proof =
+                positivity(&[instance("squares", &under, &all.join(", "), "")], "[squares]");
             self.sheet.lemma(clause(name, &reals(&[&self.z]), &[], &goal), proof);
         }
         Some(scale)
@@ -560,7 +561,9 @@ impl<'q> Writer<'q> {
                 with.push(format!("{}{i}={text}", self.w));
                 given.push(format!("{}{i}={product}", self.w));
             }
-            given.push(format!("all={}", if self.runs.chooses() { "-[modes]" } else { "0" }));
+            if self.runs.chooses() {
+                given.push("all=-[modes]".to_owned());
+            }
         }
         let all = (0..self.forms.len()).map(|t| {
             let name = format!("mixed.{t}");

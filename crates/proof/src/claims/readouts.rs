@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 use cordon_core::Rational;
 use cordon_core::linear::affine::Affine;
@@ -46,24 +46,6 @@ impl Readouts {
                 .collect::<Option<_>>()?,
         };
         Some(Self { all })
-    }
-
-    /// The readouts in words.
-    pub fn texts(&self, system: &System) -> Option<Vec<String>> {
-        let name = |j: usize| system.state.get(j).map(String::as_str);
-        let one = Rational::one();
-        let text = |(j, reference): &(usize, Reference)| {
-            Some(match reference {
-                Reference::Agent(r) => format!("{} - {}", name(*j)?, name(*r)?),
-                Reference::Target(t) => {
-                    let target = -t;
-                    let terms = [(&one, vec![name(*j)?]), (&target, Vec::new())];
-                    let terms = terms.into_iter().filter(|(c, _)| !c.is_zero());
-                    cordon_core::system::expression::sum_text(terms)
-                }
-            })
-        };
-        self.all.iter().map(text).collect()
     }
 
     /// The readouts as forms of the state.

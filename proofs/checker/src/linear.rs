@@ -95,8 +95,7 @@ impl<'c> System<'c> {
         self.modes.get(mode).map_or_else(|| fault(SYSTEM, format!("no mode `{mode:.40}`")), Ok)
     }
 
-    /// The forms at each vertex of the box of the parameters that occur in them: lower ends first,
-    /// the last parameter by name changing fastest. A range that is a point counts once.
+    /// The forms at each vertex of the box of the parameters that occur in them. A range that is a point counts once.
     ///
     /// # Errors
     /// They are too many.

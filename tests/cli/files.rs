@@ -237,6 +237,14 @@ fn reading_has_a_limit() {
             assert!(err.contains(&format!("`{file}`: expected {what}")), "{err}");
         }
     }
+    let mut program = fs::File::create(folder.at("program")).unwrap();
+    program.write_all(b"\x7fELF").unwrap();
+    program.set_len(200_000_000).unwrap();
+    let (_, _, err) = run(&["trace", &folder.name("program")]);
+    assert!(
+        err.contains("program`: a program or library: expected a scenario of at most"),
+        "{err}"
+    );
     // What is not too large is read, from a pipe too.
     let mut child = std::process::Command::new(cordon().get_program())
         .args(["trace", "-", "--steps", "1"])

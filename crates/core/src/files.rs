@@ -116,3 +116,18 @@ pub fn read_text(path: &Path, limit: Limit) -> Result<String> {
     }
     Ok(text)
 }
+
+/// Reads a file that a program has written as an object in JSON; whether it is whole is not looked at.
+///
+/// # Errors
+/// As [`read_text`], or the file is of another kind.
+pub fn read_json(path: &Path, limit: Limit) -> Result<String> {
+    let text = read_text(path, limit)?;
+    match kind::no_json(&text) {
+        Some(kind) => {
+            let (name, what) = (path.display(), limit.what);
+            Err(Error::input(format!("`{name}`: {kind}: expected {what}, which is JSON")))
+        }
+        None => Ok(text),
+    }
+}

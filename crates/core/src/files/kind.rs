@@ -50,6 +50,15 @@ pub fn foreign(text: &str) -> Option<&'static str> {
     }
 }
 
+/// What this text is, where it is no object in JSON.
+pub fn no_json(text: &str) -> Option<&'static str> {
+    match foreign(text) {
+        Some(JSON) => None,
+        Some(kind) => Some(kind),
+        None => Some("no JSON"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -68,5 +77,8 @@ mod tests {
         assert_eq!(foreign("time,x0,x1\n0,1,2"), Some("a table in CSV"));
         assert_eq!(foreign("title = \"a, b\"\n"), None);
         assert_eq!(foreign("# a, b\n"), None);
+        assert_eq!(no_json("{}"), None);
+        assert_eq!(no_json(""), Some("empty"));
+        assert_eq!(no_json("title = 1"), Some("no JSON"));
     }
 }

@@ -237,6 +237,14 @@ fn reading_has_a_limit() {
             assert!(err.contains(&format!("`{file}`: expected {what}")), "{err}");
         }
     }
+    let mut program = fs::File::create(folder.at("program")).unwrap();
+    program.write_all(b"\x7fELF").unwrap();
+    program.set_len(200_000_000).unwrap();
+    let (_, _, err) = run(&["trace", &folder.name("program")]);
+    assert!(
+        err.contains("program`: a program or library: expected a scenario of at most"),
+        "{err}"
+    );
     // What is not too large is read, from a pipe too.
     let mut child = std::process::Command::new(cordon().get_program())
         .args(["trace", "-", "--steps", "1"])
@@ -518,6 +526,27 @@ fn another_kind_of_file_is_named() {
         }
     }
     assert_eq!(tried, 16);
+    // Files that only programs write.
+    let start = "start = [0, 1, 3]\nweight = 0.5\n[[unit]]\ndrone = 1\nunit = \"plant\"\nfmu = ";
+    let unit = |fmu: &str| folder.with("unit.toml", format!("{start}'{fmu}'\n"));
+    let html = folder.name("page.html");
+    let system = folder.with("x.ssp", "no archive");
+    let model = folder.with("model.json", "title = 1");
+    let nothing = folder.with("nothing.json", "");
+    fs::create_dir(folder.at("folder.ssp")).unwrap();
+    let folder_as_system = folder.name("folder.ssp");
+    for (call, said) in [
+        (vec!["cosim", &system], "x.ssp`: no zip archive: expected an SSP archive"),
+        (vec!["cosim", &folder_as_system], "folder.ssp`: a folder: expected an SSP archive"),
+        (vec!["cosim", &unit(&table)], "run.csv`: no zip archive: expected an FMU"),
+        (vec!["cosim", &model], "model.json`: no JSON: expected a multi-model"),
+        (vec!["cosim", &nothing], "nothing.json`: empty: expected a multi-model"),
+        (vec!["replay", &nothing, "--out", &html], "nothing.json`: empty: expected a whole run"),
+        (vec!["check", protocol], "coverage.toml`: expected a certificate, which is JSON"),
+    ] {
+        let (code, _, err) = run(&call);
+        assert!((code == 2 || code == 74) && err.contains(said), "{call:?}: {err}");
+    }
     let (_, _, err) = run(&["cosim", protocol]);
     assert!(err.contains("coverage.toml: a protocol file: expected a scenario"), "{err}");
     let start_only = folder.with("s.toml", "start = [0, 1, 2]\neps = 0.2\n");

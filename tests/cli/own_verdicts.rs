@@ -381,3 +381,17 @@ fn what_is_wrong_with_a_protocol_file_has_its_place() {
     let file = written(&folder, "p", whole);
     assert_eq!(run(&["prove", "--protocol", &file]).0, 0);
 }
+
+/// A title with nothing in it is none.
+#[test]
+fn an_empty_title_is_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string("scenarios/own/ring-pulls.toml").unwrap();
+    let at = text.find("title = ").unwrap();
+    let end = at + text[at..].find('\n').unwrap();
+    for title in ["title = \"\"", "title = \" \""] {
+        let file = written(&folder, "p", &format!("{}{title}{}", &text[..at], &text[end..]));
+        let (_, out, err) = run(&["theorems", "--protocol", &file]);
+        assert!(out.starts_with(&format!("{file}: ")), "{out}{err}");
+    }
+}

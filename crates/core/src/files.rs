@@ -70,31 +70,31 @@ pub fn is_input(path: &Path) {
 /// The file cannot be read, or is larger.
 pub fn read(path: &Path, limit: Limit) -> Result<Vec<u8>> {
     let fail = |e| Error::file("read", path, e);
-    let too_large = || {
-        Error::input(format!(
-            "`{}`: expected {} of at most {} MiB",
-            path.display(),
-            limit.what,
-            limit.bytes / MIB
-        ))
+    let too_large = |kind: Option<&str>| {
+        let found = kind.map(|kind| format!("{kind}: ")).unwrap_or_default();
+        let (name, what, most) = (path.display(), limit.what, limit.bytes / MIB);
+        Error::input(format!("`{name}`: {found}expected {what} of at most {most} MiB"))
     };
     let mut bytes = Vec::new();
     if path == Path::new(STREAM) {
         io::stdin().lock().take(limit.bytes + 1).read_to_end(&mut bytes).map_err(fail)?;
     } else {
-        let file = File::open(path).map_err(fail)?;
+        let mut file = File::open(path).map_err(fail)?;
         let found = file.metadata().map_err(fail)?;
         if found.is_dir() {
             let message = format!("a folder: expected {}", limit.what);
             return Err(fail(io::Error::new(io::ErrorKind::IsADirectory, message)));
         }
         if found.len() > limit.bytes {
-            return Err(too_large());
+            let mut first = [0; 16];
+            let known =
+                file.read_exact(&mut first).ok().and_then(|()| kind::by_first_bytes(&first));
+            return Err(too_large(known));
         }
         is_input(path);
         file.take(limit.bytes + 1).read_to_end(&mut bytes).map_err(fail)?;
     }
-    if bytes.len() as u64 > limit.bytes { Err(too_large()) } else { Ok(bytes) }
+    if bytes.len() as u64 > limit.bytes { Err(too_large(None)) } else { Ok(bytes) }
 }
 
 /// Reads a UTF-8 text file, without its byte order mark.
@@ -115,4 +115,19 @@ pub fn read_text(path: &Path, limit: Limit) -> Result<String> {
         text.drain(..'\u{feff}'.len_utf8());
     }
     Ok(text)
+}
+
+/// Reads a file that a program has written as an object in JSON; whether it is whole is not looked at.
+///
+/// # Errors
+/// As [`read_text`], or the file is of another kind.
+pub fn read_json(path: &Path, limit: Limit) -> Result<String> {
+    let text = read_text(path, limit)?;
+    match kind::no_json(&text) {
+        Some(kind) => {
+            let (name, what) = (path.display(), limit.what);
+            Err(Error::input(format!("`{name}`: {kind}: expected {what}, which is JSON")))
+        }
+        None => Ok(text),
+    }
 }

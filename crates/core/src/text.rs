@@ -11,7 +11,7 @@ const REPLACEMENT: char = char::REPLACEMENT_CHARACTER;
 /// ends and tabs are none; nor are U+200C and U+200D, which join and part letters in some scripts.
 pub fn is_harmful(c: char) -> bool {
     match c {
-        '\n' | '\t' => false,
+        '\n' | '\t' | ' '..='~' => false,
         '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}' | '\u{200e}' | '\u{200f}' => true,
         '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}' => true,
         '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e007f}' => true,

@@ -24,13 +24,18 @@ pub fn binary(bytes: &[u8]) -> Option<&'static str> {
     if is_text {
         return None;
     }
-    let known = BY_FIRST_BYTES.iter().find(|(first, _)| bytes.starts_with(first));
     let is_of_text = |b: &u8| *b >= b' ' || b"\n\r\t".contains(b);
     let unknown = match bytes.iter().all(is_of_text) {
         true => "text of another encoding",
         false => "a binary file",
     };
-    Some(known.map_or(unknown, |(_, kind)| kind))
+    Some(by_first_bytes(bytes).unwrap_or(unknown))
+}
+
+/// As [`binary`], of what is known by the first bytes alone.
+pub fn by_first_bytes(bytes: &[u8]) -> Option<&'static str> {
+    let known = BY_FIRST_BYTES.iter().find(|(first, _)| bytes.starts_with(first));
+    known.map(|(_, kind)| *kind)
 }
 
 /// What this text is, where it is empty or in the form of files that no person writes by hand.
@@ -42,6 +47,15 @@ pub fn foreign(text: &str) -> Option<&'static str> {
         '<' => Some("XML or HTML"),
         _ if columns > 1 && !first.contains(['=', '[', '#', '"']) => Some("a table in CSV"),
         _ => None,
+    }
+}
+
+/// What this text is, where it is no object in JSON.
+pub fn no_json(text: &str) -> Option<&'static str> {
+    match foreign(text) {
+        Some(JSON) => None,
+        Some(kind) => Some(kind),
+        None => Some("no JSON"),
     }
 }
 
@@ -63,5 +77,8 @@ mod tests {
         assert_eq!(foreign("time,x0,x1\n0,1,2"), Some("a table in CSV"));
         assert_eq!(foreign("title = \"a, b\"\n"), None);
         assert_eq!(foreign("# a, b\n"), None);
+        assert_eq!(no_json("{}"), None);
+        assert_eq!(no_json(""), Some("empty"));
+        assert_eq!(no_json("title = 1"), Some("no JSON"));
     }
 }

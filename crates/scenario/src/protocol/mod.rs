@@ -20,7 +20,7 @@ use cordon_core::system::{
 use cordon_core::{Error, Result};
 
 use crate::scenario::Places;
-use crate::scenario::document::{document, written};
+use crate::scenario::document::{document, is_title, written};
 use crate::scenario::file::Source;
 pub use classes::{Family, FamilyClaim};
 pub use document::Agents;
@@ -177,7 +177,7 @@ impl ProtocolFile {
             targets.extend(past);
         }
         Ok(System {
-            title: doc.title.clone().unwrap_or_else(|| self.name.clone()),
+            title: doc.title.clone().filter(is_title).unwrap_or_else(|| self.name.clone()),
             agents: count,
             variables,
             state: built.state,

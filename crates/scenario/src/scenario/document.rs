@@ -48,6 +48,11 @@ pub fn document<T: DeserializeOwned>(source: &Source<'_>) -> Result<(T, Places)>
     Ok((read, Places::of(source.name, lines)))
 }
 
+/// Whether there is something in a title to show.
+pub fn is_title(title: &String) -> bool {
+    !title.trim().is_empty()
+}
+
 /// Reads a file in which a person has written TOML.
 ///
 /// # Errors

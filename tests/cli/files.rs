@@ -314,6 +314,17 @@ fn what_is_not_shown_steers_no_terminal() {
         let (code, out, err) = run(&["trace", &folder.with("s.toml", scenario(title))]);
         assert!(code == 0 && out.starts_with(&format!("{title}\n")), "{out}{err}");
     }
+    // A run that was recorded elsewhere: its page shows none.
+    let (recorded, page) = (folder.name("run.json"), folder.name("page.html"));
+    assert_eq!(run(&["cosim", "scenarios/paper.toml", "--duration", "1", "--out", &recorded]).0, 0);
+    let mut json: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(&recorded).unwrap()).unwrap();
+    json["title"] = serde_json::json!("x\u{202e}y\u{1b}[31m");
+    fs::write(&recorded, json.to_string()).unwrap();
+    let (code, out, err) = run(&["replay", &recorded, "--out", &page]);
+    assert!(code == 0 && clean(&out) && clean(&err), "{out}{err}");
+    let shown = fs::read_to_string(&page).unwrap();
+    assert!(clean(&shown) && shown.contains("x\u{fffd}y\u{fffd}[31m"));
     // What is typed is shown without it.
     for args in [
         &["trace", "no-\u{1b}[31m-such.toml"][..],

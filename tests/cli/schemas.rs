@@ -22,6 +22,8 @@ fn what_commands_print_meets_its_schema() {
         "prove --protocol scenarios/own/digraph.toml",
         "prove --protocol scenarios/own/hasty-coverage.toml",
         "threshold --protocol scenarios/own/hasty-coverage.toml --digits 2",
+        "threshold --protocol scenarios/own/coverage.toml --set eps=0..1/2",
+        "prove --protocol benchmarks/pushed-spring.toml",
         "settle --protocol scenarios/own/digraph.toml --within 1/10",
         "sweep --protocol scenarios/own/hasty-coverage.toml --grid 10 --steps 2",
         "sweep --protocol scenarios/own/coverage.toml --complete --steps 2",

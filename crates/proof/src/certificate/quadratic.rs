@@ -711,13 +711,13 @@ impl<'q> Writer<'q> {
             ));
         }
         let y = self.quadratic.readouts.iter().map(|y| y.at(start)).collect::<Option<Vec<_>>>()?;
-        for a in 0..y.len() {
+        for (a, at_start) in y.iter().enumerate() {
             let mut sum = "[y]".to_owned();
             let (_, coefficients) = self.quadratic.readouts[a].parts()?;
             for (x, c) in self.runs.state.iter().zip(coefficients).filter(|(_, c)| !c.is_zero()) {
                 add_term(&mut sum, c, &[&format!("[start.{x}]")]);
             }
-            let goal = format!("{} = {}", self.at(&begin)[a], fraction(&y[a]));
+            let goal = format!("{} = {}", self.at(&begin)[a], fraction(at_start));
             let name = format!("start.{}", self.y[a]);
             let facts = [self.defined(&self.y[a], &begin, "y")];
             self.sheet.lemma(clause(&name, "", &[], &goal), positivity(&facts, &sum));

@@ -4,87 +4,18 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+#[path = "../common/mod.rs"]
 mod common;
-
-use std::os::unix::fs::PermissionsExt;
-use std::path::Path;
-use std::process::{Command, Output};
+mod matrix;
+mod repository;
 
 use common::{has_tool, stderr_of, stdout_of};
-use cordon_core::Evidence;
-use cordon_core::Outcome;
 use cordon_spec::theorems::Theorem;
+use repository::Repository;
 use serde_json::Value;
-use tempfile::TempDir;
-use xtask::verify::matrix::{Cell, collect};
 use xtask::verify::record::Records;
-use xtask::verify::show::json;
 use xtask::verify::sources;
-use xtask::verify::{Context, NAMES, Status, Tier, TierVerdict, tiers};
-
-// ---- a repository with tools of its own
-
-struct Repository {
-    dir: TempDir,
-}
-
-impl Repository {
-    fn new() -> Self {
-        let this = Self { dir: tempfile::tempdir().unwrap() };
-        this.write("spec/src/lib.rs", "// the spec");
-        this.write("src/export/mod.rs", "// an engine");
-        this.write("proofs/rocq/theorems.tsv", "id\tform\n7.2\tsharp\n7.2\tpaper\n7.4\tpaper\n");
-        this.write("proofs/rocq/theories/A.v", "Theorem a.");
-        this.script("proofs/rocq/check.sh", "echo progress >&2; echo '3 passed, 0 failed'");
-        this.script("bin/coqc", "echo 'a Rocq for tests, 0.1'");
-        this.script("bin/z3", "if [ \"$1\" = --version ]; then echo 'a z3 for tests'; else cat >/dev/null; echo unsat; fi");
-        this
-    }
-
-    fn root(&self) -> &Path {
-        self.dir.path()
-    }
-
-    fn write(&self, name: &str, text: &str) {
-        let path = self.root().join(name);
-        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
-        std::fs::write(path, text).unwrap();
-    }
-
-    fn script(&self, name: &str, body: &str) {
-        self.write(name, &format!("#!/bin/sh\n{body}\n"));
-        let path = self.root().join(name);
-        std::fs::set_permissions(path, PermissionsExt::from_mode(0o755)).unwrap();
-    }
-
-    fn verify(&self, args: &[&str]) -> Output {
-        let path = format!("{}:/usr/bin:/bin", self.root().join("bin").display());
-        Command::new(env!("CARGO_BIN_EXE_xtask"))
-            .arg("verify")
-            .args(["--root", self.root().to_str().unwrap()])
-            .args(args)
-            .env("PATH", path)
-            .output()
-            .unwrap()
-    }
-
-    fn json(&self, args: &[&str], code: i32) -> Value {
-        let out = self.verify(&[args, &["--format", "json"]].concat());
-        let said = String::from_utf8_lossy(&out.stderr);
-        assert_eq!(out.status.code(), Some(code), "{args:?}: {said}");
-        let page: Value = serde_json::from_slice(&out.stdout).unwrap();
-        assert_eq!(page["schema"], "cordon-verify/1");
-        assert_eq!(page["exit"], code);
-        page
-    }
-
-    fn error(&self, args: &[&str]) -> String {
-        let out = self.verify(args);
-        assert_eq!(out.status.code(), Some(2), "{args:?}");
-        assert!(out.stdout.is_empty());
-        String::from_utf8(out.stderr).unwrap()
-    }
-}
+use xtask::verify::{Context, tiers};
 
 fn cell<'p>(page: &'p Value, tier: &str, theorem: &str) -> &'p Value {
     let tiers = page["tiers"].as_array().unwrap();
@@ -92,8 +23,6 @@ fn cell<'p>(page: &'p Value, tier: &str, theorem: &str) -> &'p Value {
     let cells = column["cells"].as_array().unwrap();
     cells.iter().find(|c| c["theorem"] == theorem).unwrap()
 }
-
-// ---- what ran, what is on record, what is not
 
 #[test]
 fn tools_run_on_request_and_are_remembered() {
@@ -338,99 +267,6 @@ fn the_solver_at_hand_proves_every_theorem_that_has_a_step() {
     assert!(table[10].trim().starts_with("7.8") && table[10].trim().ends_with('-'), "{text}");
     assert!(text.contains("smt (inductive, for each N):"), "{text}");
 }
-
-// ---- formats
-
-/// A tier that says what it is told to.
-struct Told(&'static str, fn(Theorem) -> Status, Vec<TierVerdict>);
-
-impl Tier for Told {
-    fn name(&self) -> &'static str {
-        self.0
-    }
-
-    fn kind(&self) -> Evidence {
-        Evidence::Sampled
-    }
-
-    fn tool(&self) -> String {
-        "told 1".into()
-    }
-
-    fn sources(&self) -> &'static [&'static str] {
-        &["src"]
-    }
-
-    fn status(&self, theorem: Theorem) -> Status {
-        (self.1)(theorem)
-    }
-
-    fn problems(&self) -> Vec<TierVerdict> {
-        self.2.clone()
-    }
-}
-
-fn ran(verdict: TierVerdict) -> Status {
-    Status::Run { verdict, scope: "a <scope> & \"more\"".into(), seconds: 0.5 }
-}
-
-fn mixed(theorem: Theorem) -> Status {
-    match theorem {
-        Theorem::Ordering => ran(TierVerdict::Holds),
-        Theorem::UpperBound => ran(TierVerdict::Refuted("x < y".into())),
-        Theorem::SumBounded => ran(TierVerdict::Rejected("\u{1}bad".into())),
-        Theorem::SumMaximal => ran(TierVerdict::Inconclusive("unknown".into())),
-        Theorem::Limit => Status::NotClaimed("a limit".into()),
-        _ => Status::NotRun("no time".into()),
-    }
-}
-
-fn matrix_of(told: Vec<Told>) -> xtask::verify::matrix::Matrix {
-    let dir = tempfile::tempdir().unwrap();
-    let records = Records::read(dir.path()).unwrap();
-    let tiers: Vec<Box<dyn Tier>> = told.into_iter().map(|t| Box::new(t) as _).collect();
-    collect(dir.path(), &tiers, &records, &Theorem::ALL, |_| {})
-}
-
-#[test]
-fn the_worst_verdict_decides() {
-    let one =
-        |e: fn(Theorem) -> Status, problems| matrix_of(vec![Told("t", e, problems)]).outcome();
-    assert_eq!(one(|_| ran(TierVerdict::Holds), vec![]), Outcome::Holds);
-    assert_eq!(one(|_| ran(TierVerdict::Inconclusive("?".into())), vec![]), Outcome::Holds);
-    assert_eq!(one(|_| ran(TierVerdict::Refuted("!".into())), vec![]), Outcome::Refuted);
-    assert_eq!(one(|_| ran(TierVerdict::Rejected("!".into())), vec![]), Outcome::Rejected);
-    assert_eq!(one(|_| Status::NotRun("".into()), vec![]), Outcome::Inconclusive);
-    assert_eq!(one(|_| Status::NotClaimed("".into()), vec![]), Outcome::Inconclusive);
-    let rejected = || vec![TierVerdict::Rejected("!".into())];
-    assert_eq!(one(|_| ran(TierVerdict::Holds), rejected()), Outcome::Rejected);
-    assert_eq!(one(|_| ran(TierVerdict::Refuted("!".into())), rejected()), Outcome::Rejected);
-}
-
-#[test]
-fn json_has_every_cell() {
-    let page: Value =
-        serde_json::from_str(&json(&matrix_of(vec![Told("told", mixed, vec![])]))).unwrap();
-    assert_eq!(page["exit"], 4);
-    assert_eq!(page["tiers"][0]["cells"].as_array().unwrap().len(), Theorem::ALL.len());
-    assert_eq!(cell(&page, "told", "7.8")["status"], "not claimed");
-    assert_eq!(cell(&page, "told", "7.3")["detail"], "x < y (a <scope> & \"more\")");
-}
-
-#[test]
-fn the_names_are_those_of_the_tiers() {
-    let dir = tempfile::tempdir().unwrap();
-    let tiers = tiers(Context { root: dir.path(), run: &[] });
-    assert_eq!(tiers.iter().map(|t| t.name()).collect::<Vec<_>>(), NAMES);
-    // In a place with nothing in it every tier answers, and none panics.
-    let records = Records::read(dir.path()).unwrap();
-    let outside: Vec<_> = tiers.into_iter().filter(|t| t.name() != "smt").collect();
-    let matrix = collect(dir.path(), &outside, &records, &[Theorem::Ordering], |_| {});
-    let run = matrix.columns.iter().filter(|c| matches!(c.cells[0], Cell::Run { .. })).count();
-    assert_eq!(run, 3, "simulated, grid, complete");
-}
-
-// ---- bad input
 
 #[test]
 fn bad_input_is_named() {

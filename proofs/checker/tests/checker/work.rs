@@ -5,7 +5,7 @@ use cordon_check::expr::{Literal, Relation, Sort};
 use cordon_check::format::{Linear, Positivity, Proof};
 use cordon_check::kernel::{Clause, Kernel};
 use cordon_check::linear::System;
-use cordon_check::matrix::definite;
+use cordon_check::matrix::{definite, dot};
 use cordon_check::number::{MAX_NUMBER, MAX_WORK, Number, charge, done, exhausted, refill, spend};
 use cordon_check::poly::Poly;
 use cordon_spec::{Ordered, Scalar};
@@ -88,6 +88,13 @@ fn a_copy_costs_its_atoms() {
     assert_eq!(cost(|| f.clone() * &f), 128 * (1 + 8 + 1));
     // Where nothing is put into the places of atoms, itself and its term are copied.
     assert_eq!(cost(|| f.with(&|_| None)), 128 * (5 + 3));
+}
+
+#[test]
+fn zeros_of_a_product_cost_no_operation() {
+    let (zero, one) = (Number::whole(0), Number::whole(1));
+    assert_eq!(cost(|| dot(&[zero.clone(), one.clone()], &[one.clone(), zero.clone()])), 2);
+    assert_eq!(cost(|| dot(&[one.clone()], &[one.clone()])), 1 + 2 * 128);
 }
 
 #[test]

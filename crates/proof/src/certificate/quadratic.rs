@@ -61,6 +61,14 @@ enum Parameter {
     Range(String, [Rational; 2]),
 }
 
+/// The mixed lemmas: how many times u the equations speak of, how many times the difference each does, and its roots.
+#[derive(Default)]
+struct Mixed {
+    unit: Rational,
+    times: Vec<Rational>,
+    roots: Vec<Shown>,
+}
+
 /// A map at the ends of ranges: its mode, and its weight in a step, a number times facts.
 struct Vertex {
     mode: usize,
@@ -70,6 +78,19 @@ struct Vertex {
 }
 
 type Names = Vec<String>;
+
+/// A combination, by the places of its variables.
+type Terms = Vec<(usize, Rational)>;
+
+/// What shows that so many times a form is at least 0: literals given, facts and their sum, and what the roots are.
+#[derive(Default)]
+struct Shown {
+    times: Rational,
+    given: Names,
+    facts: Vec<Value>,
+    sum: String,
+    roots: Vec<Terms>,
+}
 
 /// A certificate in the making.
 struct Writer<'q> {
@@ -89,6 +110,7 @@ struct Writer<'q> {
     w: String,
     q: String,
     s: String,
+    values_of_form: [String; 2],
     earlier: String,
     /// The forms in integers.
     forms: Vec<Matrix>,
@@ -136,8 +158,8 @@ impl<'q> Writer<'q> {
         let values =
             quadratic.parameters.iter().map(|p| values.remove(p)).collect::<Option<_>>()?;
         let [y, z, u, w, q] = ["y", "z", "u", "w", "q"].map(|stem| runs.names.stem(stem));
-        let [form, bound, s, earlier] =
-            ["V", "r", "s", "earlier"].map(|name| runs.names.fresh(name));
+        let [form, bound, s, earlier, before, after] =
+            ["V", "r", "s", "earlier", "before", "after"].map(|name| runs.names.fresh(name));
         let indexed =
             |stem: String| (0..quadratic.readouts.len()).map(|j| format!("{stem}{j}")).collect();
         let [y, z, u] = [y, z, u].map(indexed);
@@ -156,6 +178,7 @@ impl<'q> Writer<'q> {
             w,
             q,
             s,
+            values_of_form: [before, after],
             earlier,
             forms,
         })
@@ -292,45 +315,42 @@ impl<'q> Writer<'q> {
         self.sheet.lemma(clause, split("sign", s, [above, equal, below]));
     }
 
-    /// A lemma that a form of z is at least 0, times a number that is given back.
-    fn semidefinite(&mut self, name: &str, m: &Matrix) -> Option<Rational> {
+    /// What shows that a form of z, times a number, is at least 0. A square of more than two terms is that of a variable, a root, for
+    /// which they are given.
+    fn shown(&self, m: &Matrix) -> Option<Shown> {
         let squares = squares(m)?;
-        let scale = squares.iter().fold(BigInt::one(), |d, (c, _)| d.lcm(c.denom()));
-        let scale = Rational::from_integer(scale);
-        let (mut given, mut facts, mut long) = (Vec::new(), Vec::new(), Vec::new());
-        let mut sum = String::new();
-        for (i, (factor, entries)) in squares.iter().enumerate() {
-            let entries: Vec<(usize, Rational)> =
-                entries.iter().map(|(j, c)| (*j, Rational::from_integer(c.clone()))).collect();
-            let text = linear(&entries, &self.z);
-            let (factor, fact) = (factor * &scale, format!("[s{i}]"));
-            let root = if entries.len() > 2 {
-                // A variable in its place: its square has one term.
-                let root = format!("{}{}", self.q, long.len());
-                given.push(format!("e{i}: {root} = {text}"));
-                add_term(&mut sum, &-&factor, &[&format!("[e{i}]"), &format!("({text} + {root})")]);
-                long.push((root.clone(), text));
-                root
-            } else {
-                text
-            };
-            add_term(&mut sum, &factor, &[&fact]);
-            facts.push(instance(&format!("s{i}"), "square", &format!("{}={root}", self.s), ""));
+        let whole = squares.iter().fold(BigInt::one(), |d, (c, _)| d.lcm(c.denom()));
+        let mut shown = Shown { times: Rational::from_integer(whole), ..Shown::default() };
+        for (i, (factor, entries)) in squares.into_iter().enumerate() {
+            let integer = |(j, c)| (j, Rational::from_integer(c));
+            let entries: Terms = entries.into_iter().map(integer).collect();
+            let (factor, mut root) = (factor * &shown.times, linear(&entries, &self.z));
+            if entries.len() > 2 {
+                let text = std::mem::replace(&mut root, format!("{}{}", self.q, shown.roots.len()));
+                shown.given.push(format!("{root}: {root} = {text}"));
+                let both = format!("({text} + {root})");
+                add_term(&mut shown.sum, &-&factor, &[&format!("[{root}]"), &both]);
+                shown.roots.push(entries);
+            }
+            add_term(&mut shown.sum, &factor, &[&format!("[s{i}]")]);
+            let square = instance(&format!("s{i}"), "square", &format!("{}={root}", self.s), "");
+            shown.facts.push(square);
         }
-        let goal = format!("{} >= 0", quadratic(&matrix_times(&scale, m), &self.z));
-        let roots: Names = long.iter().map(|(root, ..)| root.clone()).collect();
-        let under = if long.is_empty() { name.to_owned() } else { format!("{name}.squares") };
-        let given: Vec<&str> = given.iter().map(String::as_str).collect();
-        let proof = positivity(&facts, &or_zero(sum));
-        self.sheet.lemma(clause(&under, &reals(&[&self.z, &roots]), &given, &goal), proof);
-        if !long.is_empty() {
-            let same = self.z.iter().map(|z| (z.clone(), z.clone()));
-            let all: Names = same.chain(long).map(|(v, term)| format!("{v}={term}")).collect();
-            let proof =
-                positivity(&[instance("squares", &under, &all.join(", "), "")], "[squares]");
-            self.sheet.lemma(clause(name, &reals(&[&self.z]), &[], &goal), proof);
-        }
-        Some(scale)
+        Some(shown)
+    }
+
+    fn roots(&self, shown: &Shown) -> Names {
+        (0..shown.roots.len()).map(|i| format!("{}{i}", self.q)).collect()
+    }
+
+    /// Terms for z, and for the roots of what is shown.
+    fn of(&self, terms: &[String], shown: &Shown) -> Names {
+        let roots = shown.roots.iter().map(|root| linear(root, terms));
+        let names = self.z.iter().cloned().chain(self.roots(shown));
+        names
+            .zip(terms.iter().cloned().chain(roots))
+            .map(|(v, term)| format!("{v}={term}"))
+            .collect()
     }
 
     /// What the modes make of readouts at the ends of all ranges.
@@ -404,135 +424,150 @@ impl<'q> Writer<'q> {
         }
     }
 
-    /// For each form a lemma about z and u, what a step makes of z: rate^2 z'Pz - u'Pu >= 0, or u'Pu - z'Pz >= 0 where there is no rate. All in
-    /// integers: gives how many times u the equations speak of, and how many times the difference the lemmas do.
-    fn mixed(&mut self, vertices: &[Vertex], square: Option<&Rational>) -> Option<[Rational; 2]> {
+    /// For each form a lemma about z, u, and the values p and q of V before and after: rate^2 p - q >= 0, or q - p >= 0 where there is no
+    /// rate, so many times.
+    fn mixed(&mut self, vertices: &[Vertex], square: Option<&Rational>) -> Option<Mixed> {
         let (one, forms) = (Rational::one(), self.forms.clone());
         let (z, u) = (self.z.clone(), self.u.clone());
-        let several = vertices.len() > 1;
         let sign = if square.is_some() { one.clone() } else { -&one };
         let square = square.unwrap_or(&one);
         let entries = vertices.iter().flat_map(|v| v.map.iter().flatten());
         let unit = Rational::from_integer(entries.fold(BigInt::one(), |d, x| d.lcm(x.denom())));
-        let whole = Rational::from_integer(square.denom().clone());
-        let times = &unit * &unit * &whole;
-        let weights: Names =
-            (0..vertices.len()).filter(|_| several).map(|i| format!("{}{i}", self.w)).collect();
         let maps: Vec<Matrix> = vertices.iter().map(|v| matrix_times(&unit, &v.map)).collect();
         let image = |i: usize, a: usize| linear(&sparse(&maps[i][a]), &z);
-        let mut given: Names = weights.iter().map(|w| format!("{w}: {w} >= 0")).collect();
+        let several = vertices.len() > 1;
+        let weights: Names =
+            (0..vertices.len()).filter(|_| several).map(|i| format!("{}{i}", self.w)).collect();
+        let mut known: Names = weights.iter().map(|w| format!("{w}: {w} >= 0")).collect();
         if several {
-            given.push(format!("all: {} = 1", weights.join(" + ")));
+            known.push(format!("all: {} = 1", weights.join(" + ")));
         }
         for (a, u) in u.iter().enumerate() {
             let mixed = weights.iter().enumerate().map(|(i, w)| format!("{w}*({})", image(i, a)));
             let image = if several { mixed.collect::<Vec<_>>().join(" + ") } else { image(0, a) };
-            given.push(format!("{u}: {} = {image}", fraction_times(&unit, u)));
+            known.push(format!("{u}: {} = {image}", fraction_times(&unit, u)));
         }
-        let given: Vec<&str> = given.iter().map(String::as_str).collect();
-        let gaps = |i: usize| -> Names {
-            let gap = |(a, u): (usize, &String)| {
-                format!("{} - {}", image(i, a), fraction_times(&unit, u))
-            };
-            u.iter().enumerate().map(gap).collect()
-        };
-        let gaps: Vec<Names> = (0..vertices.len()).map(gaps).collect();
+        let mut mixed = Mixed { unit: unit.clone(), ..Mixed::default() };
         for (t, target) in forms.iter().enumerate() {
             let own = |v: &Vertex| forms.get(if forms.len() == 1 { 0 } else { v.mode });
-            let after = quadratic(&matrix_times(&times, target), &u);
-            let before =
-                |v: &Vertex| Some(quadratic(&matrix_times(&(&times * square), own(v)?), &z));
-            let (mut facts, mut sum) = (Vec::new(), String::new());
-            for (i, v) in vertices.iter().enumerate() {
-                let moved = product(&product(&transposed(&v.map), target), &v.map);
-                let left = difference(
-                    &matrix_times(&(&sign * square), own(v)?),
-                    &matrix_times(&sign, &moved),
-                );
-                let lemma = format!("vertex{i}.{t}");
-                let factor = &times / self.semidefinite(&lemma, &left)?;
-                facts.push(self.instance_of(&format!("f{i}"), &lemma, &z));
-                let weight = weights.get(i).map(|w| format!("[{w}]"));
-                let fact = format!("[f{i}]");
-                add_term(
-                    &mut sum,
-                    &factor,
-                    &weight.iter().chain([&fact]).map(String::as_str).collect::<Vec<_>>(),
-                );
-                if let Some(weight) = weight {
-                    facts.push(self.instance_of(&format!("g{i}"), &format!("form.{t}"), &gaps[i]));
-                    add_term(&mut sum, &whole, &[&weight, &format!("[g{i}]")]);
-                }
-            }
-            let first = before(vertices.first()?)?;
-            let goal = match (forms.len(), sign.is_positive()) {
-                (1, true) => format!("{first} - ({after})"),
-                (1, false) => format!("{after} - ({first})"),
+            let left = |v: &Vertex| {
+                self.shown(&matrix_times(&sign, &left_of(own(v)?, square, &v.map, target)))
+            };
+            let shown = vertices.iter().map(left).collect::<Option<Vec<_>>>()?;
+            let whole = shown
+                .iter()
+                .fold(square.denom() * unit.numer() * unit.numer(), |d, s| d.lcm(s.times.numer()));
+            let times = Rational::from_integer(whole);
+            let (mut facts, mut sum, mut given) = (Vec::new(), String::new(), known.clone());
+            let before = match (forms.len(), vertices.first()) {
+                (1, _) => quadratic(target, &z),
                 _ => {
                     let terms = weights
                         .iter()
                         .zip(vertices)
-                        .map(|(w, v)| Some(format!("{w}*({})", before(v)?)));
-                    format!("{} - ({after})", terms.collect::<Option<Vec<_>>>()?.join(" + "))
+                        .map(|(w, v)| Some(format!("{w}*({})", quadratic(own(v)?, &z))));
+                    terms.collect::<Option<Vec<_>>>()?.join(" + ")
                 }
             };
+            let after = quadratic(target, &u);
+            let [p, q] = &self.values_of_form;
+            given.extend([format!("before: {p} = {before}"), format!("after: {q} = {after}")]);
+            add_term(&mut sum, &(&sign * square * &times), &["[before]"]);
+            add_term(&mut sum, &(-&sign * &times), &["[after]"]);
+            let mut roots = Shown::default();
+            let factor = &times / &unit;
             if several {
-                let common = if forms.len() == 1 { format!("{first} + ") } else { String::new() };
-                sum += &format!(" - [all]*({common}{after})");
-            }
-            for (name, row) in u.iter().zip(target) {
-                let of =
-                    |c: Rational, row: &[Rational]| row.iter().map(|x| &c * x).collect::<Vec<_>>();
-                let two = Rational::from_integer(2.into());
-                if several {
-                    let image = linear(&sparse(&of(-&two * &whole * &unit, row)), &u);
-                    sum += &format!(" + [{name}]*({image})");
+                for (i, (v, shown)) in vertices.iter().zip(shown).enumerate() {
+                    let lemma = format!("vertex{i}.{t}");
+                    let names = self.roots(&shown);
+                    let goal =
+                        matrix_times(&shown.times, &left_of(own(v)?, square, &v.map, target));
+                    let with = self.of(&z, &shown);
+                    let given: Vec<&str> = shown.given.iter().map(String::as_str).collect();
+                    let clause = clause(
+                        &lemma,
+                        &reals(&[&z, &names]),
+                        &given,
+                        &format!("{} >= 0", quadratic(&goal, &z)),
+                    );
+                    self.sheet.lemma(clause, positivity(&shown.facts, &or_zero(shown.sum)));
+                    facts.push(instance(&format!("f{i}"), &lemma, &with.join(", "), ""));
+                    let gap = |(a, u): (usize, &String)| {
+                        format!("{} - {}", image(i, a), fraction_times(&unit, u))
+                    };
+                    let gaps: Names = u.iter().enumerate().map(gap).collect();
+                    facts.push(instance(
+                        &format!("g{i}"),
+                        &format!("form.{t}"),
+                        &self.of(&gaps, &Shown::default()).join(", "),
+                        "",
+                    ));
+                    let weight = format!("[{}]", weights[i]);
+                    add_term(&mut sum, &(&times / &shown.times), &[&weight, &format!("[f{i}]")]);
+                    add_term(&mut sum, &(&factor / &unit), &[&weight, &format!("[g{i}]")]);
+                }
+                let kept = if forms.len() == 1 {
+                    format!("{} + ", fraction_times(square, &format!("({before})")))
                 } else {
-                    let factor = -&sign * &whole;
-                    let both = [
-                        linear(&sparse(&of(&factor * &unit, row)), &u),
-                        linear(&sparse(&of(factor, &matrix::before(row, &maps[0]))), &z),
+                    String::new()
+                };
+                add_term(&mut sum, &-&times, &["[all]", &format!("({kept}{after})")]);
+            } else {
+                roots = shown.into_iter().next()?;
+                facts.append(&mut roots.facts);
+                given.append(&mut roots.given);
+                add_term(
+                    &mut sum,
+                    &(&times / &roots.times),
+                    &[&format!("({})", or_zero(std::mem::take(&mut roots.sum)))],
+                );
+            }
+            let scaled = |c: &Rational, row: &[Rational]| {
+                sparse(&row.iter().map(|x| c * x).collect::<Vec<_>>())
+            };
+            for (name, row) in u.iter().zip(target) {
+                if several {
+                    let twice = -&factor - &factor;
+                    sum += &format!(" + [{name}]*({})", linear(&scaled(&twice, row), &u));
+                } else {
+                    let (by, moved) = (-&sign * &factor, matrix::before(row, &maps[0]));
+                    let [here, there] = [
+                        linear(&scaled(&by, row), &u),
+                        linear(&scaled(&(&by / &unit), &moved), &z),
                     ];
-                    sum += &format!(" + [{name}]*({} + ({}))", both[0], both[1]);
+                    sum += &format!(" + [{name}]*({here} + ({there}))");
                 }
             }
+            let [first, second] = if sign.is_positive() { [p, q] } else { [q, p] };
+            let [first, second] =
+                [fraction_times(&(&times * square), first), fraction_times(&times, second)];
+            let given: Vec<&str> = given.iter().map(String::as_str).collect();
+            let variables =
+                reals(&[&z, &u, &weights, &self.roots(&roots), &self.values_of_form.to_vec()]);
             let clause = clause(
                 &format!("mixed.{t}"),
-                &reals(&[&z, &u, &weights]),
+                &variables,
                 &given,
-                &format!("{goal} >= 0"),
+                &format!("{first} - {second} >= 0"),
             );
             self.sheet.lemma(clause, positivity(&facts, &sum));
+            mixed.times.push(times);
+            mixed.roots.push(roots);
         }
-        Some([unit, times])
+        Some(mixed)
     }
 
-    /// A lemma about z of these terms.
-    fn instance_of(&self, name: &str, lemma: &str, terms: &[String]) -> Value {
-        let with: Names = self.z.iter().zip(terms).map(|(z, term)| format!("{z}={term}")).collect();
-        instance(name, lemma, &with.join(", "), "")
-    }
-
-    /// Each of the mixed lemmas, of this step: a fact `mixed.t`.
-    fn mixed_now(&self, vertices: &[Vertex], unit: &Rational) -> Vec<Value> {
-        let (now, next) = (self.at(&self.now), self.at(&self.now.later(1)));
-        let mut with: Names = self
-            .z
-            .iter()
-            .zip(&now)
-            .chain(self.u.iter().zip(&next))
-            .map(|(v, term)| format!("{v}={term}"))
-            .collect();
-        let mut given: Names = self
-            .u
-            .iter()
-            .zip(&self.y)
-            .map(|(u, y)| format!("{u}={}", fraction_times(unit, &format!("[next.{y}]"))))
-            .collect();
-        let mut facts: Vec<Value> =
-            self.y.iter().map(|y| self.this_step(&format!("next.{y}"))).collect();
-        if self.runs.chooses() {
-            facts.push(self.runs.every("modes", &self.now, ""));
+    /// The mixed lemmas, of this step: facts `mixed.t` and what they read.
+    fn mixed_now(&self, vertices: &[Vertex], mixed: &Mixed) -> Vec<Value> {
+        let (k, next) = (&self.now, self.now.later(1));
+        let (here, there) = (self.at(k), self.at(&next));
+        let mut with: Names = self.u.iter().zip(&there).map(|(u, y)| format!("{u}={y}")).collect();
+        let mut given: Names = Vec::new();
+        let mut facts =
+            vec![self.defined(&self.form, k, "before"), self.defined(&self.form, &next, "after")];
+        for (u, y) in self.u.iter().zip(&self.y) {
+            given.push(format!("{u}={}", fraction_times(&mixed.unit, &format!("[next.{y}]"))));
+            facts.push(self.this_step(&format!("next.{y}")));
         }
         if vertices.len() > 1 {
             let ranges = self
@@ -540,36 +575,41 @@ impl<'q> Writer<'q> {
                 .ranges
                 .iter()
                 .flat_map(|(f, _)| ["low", "high"].map(|end| format!("{end}.{f}")));
-            let acts = self.selectors(&self.now).into_iter().flatten();
-            let acts = acts.zip(&self.runs.modes).map(|(_, (m, _))| format!("acts.{m}"));
-            facts.extend(ranges.chain(acts).map(|fact| self.runs.every(&fact, &self.now, "")));
+            facts.extend(ranges.map(|fact| self.runs.every(&fact, k, "")));
+            facts.extend(self.acting(k));
             for (i, v) in vertices.iter().enumerate() {
-                let mut product = String::new();
-                let names: Names = v.facts.iter().map(|f| format!("[{f}]")).collect();
-                add_term(
-                    &mut product,
-                    &v.factor,
-                    &names.iter().map(String::as_str).collect::<Vec<_>>(),
-                );
-                let term = v.facts.iter().map(|f| self.meaning(f)).collect::<Vec<_>>();
-                let mut text = String::new();
-                add_term(
-                    &mut text,
-                    &v.factor,
-                    &term.iter().map(String::as_str).collect::<Vec<_>>(),
-                );
-                with.push(format!("{}{i}={text}", self.w));
-                given.push(format!("{}{i}={product}", self.w));
+                let product = |name: &dyn Fn(&String) -> String| {
+                    let (mut text, names) =
+                        (String::new(), v.facts.iter().map(name).collect::<Vec<_>>());
+                    add_term(
+                        &mut text,
+                        &v.factor,
+                        &names.iter().map(String::as_str).collect::<Vec<_>>(),
+                    );
+                    text
+                };
+                with.push(format!("{}{i}={}", self.w, product(&|f| self.meaning(f))));
+                given.push(format!("{}{i}={}", self.w, product(&|f| format!("[{f}]"))));
             }
             if self.runs.chooses() {
                 given.push("all=-[modes]".to_owned());
             }
         }
-        let all = (0..self.forms.len()).map(|t| {
+        let [p, q] = &self.values_of_form;
+        given.push("before=[before]".to_owned());
+        with.push(format!("{p}={}({})", self.form, k.text()));
+        for (t, (form, roots)) in self.forms.iter().zip(&mixed.roots).enumerate() {
+            let (mut with, mut given) = (with.clone(), given.clone());
+            with.extend(self.of(&here, roots));
+            if self.forms.len() == 1 {
+                with.push(format!("{q}={}({})", self.form, next.text()));
+                given.push("after=[after]".to_owned());
+            } else {
+                with.push(format!("{q}={}", quadratic(form, &there)));
+            }
             let name = format!("mixed.{t}");
-            instance(&name, &name, &with.join(", "), &given.join(", "))
-        });
-        facts.extend(all);
+            facts.push(instance(&name, &name, &with.join(", "), &given.join(", ")));
+        }
         facts
     }
 
@@ -583,26 +623,6 @@ impl<'q> Writer<'q> {
             ("high", Some([_, high])) => format!("({} - {name}({k}))", fraction(high)),
             _ => format!("{name}({k})"),
         }
-    }
-
-    /// Selectors, each times the fact of that name, number and step.
-    fn weighted(&self, fact: &str, scales: &[Rational]) -> String {
-        let mut sum = String::new();
-        for (t, scale) in scales.iter().enumerate() {
-            let acts = self
-                .runs
-                .modes
-                .get(t)
-                .filter(|_| scales.len() > 1)
-                .map(|(m, _)| format!("[acts.{m}]"));
-            let fact = format!("[{fact}.{t}]");
-            add_term(
-                &mut sum,
-                &scale.recip(),
-                &acts.iter().chain([&fact]).map(String::as_str).collect::<Vec<_>>(),
-            );
-        }
-        sum
     }
 
     /// What is known of the selectors at that time.
@@ -621,47 +641,64 @@ impl<'q> Writer<'q> {
         self.sheet.define(&v, &[&k], &[], &self.value(&now), None);
         self.sheet.define(&r, &[&k], &["1"], &fraction_times(square, &format!("{r}({k})")), None);
         let part = least_part(&self.forms)?;
-        let mut scales = Vec::new();
-        for (t, p) in self.forms.clone().iter().enumerate() {
-            let less = difference(p, &matrix_times(&part, &matrix::unit(p.len())));
-            scales.push(self.semidefinite(&format!("norm.{t}"), &less)?);
-        }
+        let mut norms = Vec::new();
         let vertices = self.vertices()?;
-        if vertices.len() > 1 {
-            for (t, (p, scale)) in self.forms.clone().iter().zip(&scales).enumerate() {
-                let mut facts = vec![self.instance_of("norm", &format!("norm.{t}"), &self.z)];
-                let mut sum = fraction_times(&scale.recip(), "[norm]");
-                for z in &self.z {
+        for (t, p) in self.forms.clone().iter().enumerate() {
+            let shown = self.shown(&difference(p, &matrix_times(&part, &matrix::unit(p.len()))))?;
+            let (z, [value, _]) = (self.z.clone(), self.values_of_form.clone());
+            let (name, text) = (format!("norm.{t}"), quadratic(p, &z));
+            let squares: Names = z.iter().map(|z| format!("{z}*{z}")).collect();
+            let least =
+                fraction_times(&(&part * &shown.times), &format!("({})", squares.join(" + ")));
+            let goal = format!("{} >= {least}", fraction_times(&shown.times, &value));
+            let mut given = shown.given.clone();
+            given.push(format!("form: {value} = {text}"));
+            let given: Vec<&str> = given.iter().map(String::as_str).collect();
+            let sum = format!(
+                "{} + {}",
+                or_zero(shown.sum.clone()),
+                fraction_times(&shown.times, "[form]")
+            );
+            let variables = reals(&[&z, &self.roots(&shown), &vec![value.clone()]]);
+            self.sheet
+                .lemma(clause(&name, &variables, &given, &goal), positivity(&shown.facts, &sum));
+            if vertices.len() > 1 {
+                let mut with = self.of(&z, &shown);
+                with.push(format!("{value}={text}"));
+                let mut facts = vec![instance("norm", &name, &with.join(", "), "")];
+                let mut sum = fraction_times(&shown.times.recip(), "[norm]");
+                for z in &z {
                     facts.push(instance(z, "square", &format!("{}={z}", self.s), ""));
                     add_term(&mut sum, &part, &[&format!("[{z}]")]);
                 }
-                let goal = format!("{} >= 0", quadratic(p, &self.z));
-                let clause = clause(&format!("form.{t}"), &reals(&[&self.z]), &[], &goal);
+                let clause =
+                    clause(&format!("form.{t}"), &reals(&[&z]), &[], &format!("{text} >= 0"));
                 self.sheet.lemma(clause, positivity(&facts, &sum));
             }
+            norms.push(shown);
         }
-        let [unit, times] = self.mixed(&vertices, Some(square))?;
+        let mixed = self.mixed(&vertices, Some(square))?;
         // In one step.
-        let mut facts = self.mixed_now(&vertices, &unit);
-        facts.extend([self.defined(&v, &now, "now"), self.defined(&v, &next, "next")]);
-        let mixed = fraction(&times.recip());
-        let sum = match self.selectors(&next).filter(|_| several) {
-            None => format!("{mixed}*[mixed.0] + {} - [next]", fraction_times(square, "[now]")),
-            Some(selectors) => {
-                let acts = self.runs.modes.iter().map(|(m, _)| format!("acts.{m}"));
-                let mut sum = format!(
-                    "{} - [next]",
-                    fraction_times(square, &format!("({})*[now]", selectors.join(" + ")))
-                );
-                sum += &format!(" + {}", fraction_times(square, &format!("{v}({k})*[modes-next]")));
-                for (t, acts) in acts.enumerate() {
-                    facts.push(self.runs.every(&acts, &next, "-next"));
-                    sum += &format!(" + {mixed}*[{acts}-next]*[mixed.{t}]");
-                }
-                facts.push(self.runs.every("modes", &next, "-next"));
-                sum
-            }
-        };
+        let mut facts = self.mixed_now(&vertices, &mixed);
+        let mut sum = String::new();
+        for (t, times) in mixed.times.iter().enumerate() {
+            let acts = self.runs.modes.get(t).filter(|_| several).map(|(m, _)| format!("acts.{m}"));
+            let names = acts.as_ref().map(|acts| format!("[{acts}-next]"));
+            facts.extend(acts.map(|acts| self.runs.every(&acts, &next, "-next")));
+            let fact = format!("[mixed.{t}]");
+            add_term(
+                &mut sum,
+                &times.recip(),
+                &names.iter().chain([&fact]).map(String::as_str).collect::<Vec<_>>(),
+            );
+        }
+        if several {
+            facts.push(self.runs.every("modes", &next, "-next"));
+            sum += &format!(
+                " + {} - [after]",
+                fraction_times(square, &format!("{v}({k})*[modes-next]"))
+            );
+        }
         let goal = format!("{v}({k} + 1) <= {}", fraction_times(square, &format!("{v}({k})")));
         self.sheet.lemma(self.every_step("step", &goal), positivity(&facts, &sum));
         // In all steps.
@@ -681,13 +718,29 @@ impl<'q> Writer<'q> {
         let norm = fraction_times(&part, &format!("({})", norm.join(" + ")));
         let mut facts = self.acting(&now);
         facts.extend([self.this_step("falls"), self.defined(&v, &now, "now")]);
-        facts.extend(
-            (0..scales.len())
-                .map(|t| self.instance_of(&format!("norm.{t}"), &format!("norm.{t}"), &y)),
-        );
-        let mut sum = format!("[falls] + [now] + {}", self.weighted("norm", &scales));
+        let mut sum = "[falls]".to_owned();
+        for (t, (shown, p)) in norms.iter().zip(&self.forms).enumerate() {
+            let (fact, [value, _]) = (format!("norm.{t}"), &self.values_of_form);
+            let mut with = self.of(&y, shown);
+            let text = if several { quadratic(p, &y) } else { format!("{v}({k})") };
+            with.push(format!("{value}={text}"));
+            facts.push(instance(
+                &fact,
+                &fact,
+                &with.join(", "),
+                if several { "" } else { "form=[now]" },
+            ));
+            let acts =
+                self.runs.modes.get(t).filter(|_| several).map(|(m, _)| format!("[acts.{m}]"));
+            let fact = format!("[{fact}]");
+            add_term(
+                &mut sum,
+                &shown.times.recip(),
+                &acts.iter().chain([&fact]).map(String::as_str).collect::<Vec<_>>(),
+            );
+        }
         if several {
-            sum += &format!(" - {norm}*[modes]");
+            sum += &format!(" + [now] - {norm}*[modes]");
         }
         let goal = format!("{norm} <= {r}({k})*{v}(0)");
         self.sheet.conclude(self.every_step("tends", &goal), positivity(&facts, &sum));
@@ -722,10 +775,9 @@ impl<'q> Writer<'q> {
             let facts = [self.defined(&self.y[a], &begin, "y")];
             self.sheet.lemma(clause(&name, "", &[], &goal), positivity(&facts, &sum));
         }
-        let [unit, times] = self.mixed(&vertices, None)?;
-        let mut facts = self.mixed_now(&vertices, &unit);
-        facts.extend([self.defined(&v, &now, "now"), self.defined(&v, &now.later(1), "next")]);
-        let sum = format!("{}*[mixed.0] + [next] - [now]", fraction(&times.recip()));
+        let mixed = self.mixed(&vertices, None)?;
+        let facts = self.mixed_now(&vertices, &mixed);
+        let sum = fraction_times(&mixed.times.first()?.recip(), "[mixed.0]");
         let goal = format!("{v}({k} + 1) >= {v}({k})");
         self.sheet.lemma(self.every_step("step", &goal), positivity(&facts, &sum));
         let image = matrix::applied(&form, &y);
@@ -813,6 +865,11 @@ fn difference(a: &Matrix, b: &Matrix) -> Matrix {
 /// A number, not below 0, times a factor.
 fn fraction_times(c: &Rational, factor: &str) -> String {
     if c.is_one() { factor.to_owned() } else { format!("{}*{factor}", fraction(c)) }
+}
+
+/// rate^2 P - A'QA.
+fn left_of(p: &Matrix, square: &Rational, map: &Matrix, q: &Matrix) -> Matrix {
+    difference(&matrix_times(square, p), &product(&product(&transposed(map), q), map))
 }
 
 /// A number as a summand.

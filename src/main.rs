@@ -10,7 +10,7 @@ use cli::Cli;
 use cli::edge::Call;
 use cli::help;
 use cli::progress::{Beside, Heartbeat};
-use cordon_core::text::Printable;
+use cordon_core::text::{Printable, printable, short_numbers};
 use cordon_core::{Error, Outcome, Result};
 
 fn main() -> ExitCode {
@@ -44,8 +44,11 @@ fn usage(error: &clap::Error) -> ExitCode {
         .replace("cannot parse integer from empty string", "expected a whole number")
         .replace("number too large to fit in target type", "expected a smaller number")
         .replace("invalid float literal", "expected a number");
-    let printed =
-        if plain == text { error.print() } else { write!(Printable(io::stderr()), "{plain}") };
+    // What clap prints itself has colours, and what was typed as it is.
+    let printed = match plain == text && printable(&text) == text {
+        true => error.print(),
+        false => Printable(io::stderr()).write_all(plain.as_bytes()),
+    };
     let numbers: Vec<String> = std::env::args().filter(|a| a.starts_with("7.")).collect();
     if error.use_stderr() && numbers.len() > 1 {
         let _ = writeln!(
@@ -73,12 +76,32 @@ fn run(cli: Cli, call: &Call<'_>) -> Result<Outcome> {
         Box::new(BufWriter::new(Beside { stream: io::stdout().lock(), heartbeat }))
     };
     let mut out = Printable(edge);
-    let outcome = cli.run(&mut out)?;
+    let outcome = if call.writes_files() && !to_stderr {
+        // Said once all is written: where that fails, nothing is. A run that broke off is written, too.
+        let mut held = Printable(Vec::new());
+        let ended = cli.run(&mut held);
+        if !ended.as_ref().is_err_and(is_about_files) {
+            out.write_all(&held.0)?;
+            out.flush()?;
+        }
+        ended?
+    } else {
+        cli.run(&mut out)?
+    };
     out.flush()?;
     Ok(outcome)
 }
 
+/// Whether a file could not be read or written, or may not be.
+fn is_about_files(error: &Error) -> bool {
+    match error {
+        Error::File { .. } => true,
+        Error::Input(message) => message.starts_with("out: "),
+        _ => false,
+    }
+}
+
 fn report(error: &Error) {
     // If stderr is closed too there is nothing left to do.
-    let _ = writeln!(Printable(io::stderr()), "error: {error}");
+    let _ = writeln!(Printable(io::stderr()), "error: {}", short_numbers(&error.to_string()));
 }

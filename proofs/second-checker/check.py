@@ -43,7 +43,7 @@ def charge(n):
 # ---- Reading: a schema is a type name, [item], {"*": item} or a struct of fields ("field?" is optional).
 CLAUSE = {"name": "text", "for?": [{"name": "text", "sort": "sort"}], "given?": [{"name": "text", "holds": "text"}], "goal": "text"}
 DEFINITION = {
-    "name": "text", "of?": ["text"], "from?": "text", "base?": ["text"], "step": "text", "scale?": "text",
+    "name": "text", "of": ["text"], "from": "text", "base?": ["text"], "step": "text", "scale?": "text",
 }
 SYSTEM = {"protocol": "text", "steps": "text", "weight?": "text"}
 STATEMENT = {
@@ -60,7 +60,7 @@ RULES = {
     "split": {"name": "text", "on": "text", "above": "proof", "equal": "proof", "below": "proof"},
     "induction": {"on": "text", "variable": "text", "hypothesis": "text", "earlier": "text", "base": "proof", "step": "proof"},
 }
-PROOFS = {"definitions?": [DEFINITION], "lemmas?": [{"clause": CLAUSE, "proof": "proof"}], "conclusions": {"*": "proof"}}
+PROOFS = {"lemmas?": [{"clause": CLAUSE, "proof": "proof"}], "conclusions": {"*": "proof"}}
 NUMBERS, FACTORS = ["number"], {"*": "number"}
 LINEAR = {"state": ["text"], "parameters?": {"*": "range"}, "modes": {"*": {"*": "text"}}}
 KINDS = {
@@ -74,15 +74,6 @@ KINDS = {
     },
     "counterexample": {
         "system": LINEAR, "assumptions?": ["text"], "start": NUMBERS, "with?": FACTORS, "steps": [{"by": "text", "with?": FACTORS}], "claim": "text",
-    },
-    "invariance": {
-        "system": LINEAR, "nodes": {"*": ["text"]}, "start": "text",
-        "edges": [{"from": "text", "by?": "text", "to": "text", "multipliers": [[FACTORS]]}],
-        "claims": [{"at": "text", "holds": "text", "multipliers": FACTORS}],
-    },
-    "quadratic": {
-        "system": LINEAR, "readouts": ["text"], "maps": {"*": ["text"]}, "matrix?": [NUMBERS], "matrices?": {"*": [NUMBERS]},
-        "rate?": "number", "start?": NUMBERS,
     },
     "ellipsoid": {
         "system": LINEAR, "nodes": {"*": {"centre": NUMBERS, "matrix": [NUMBERS]}}, "start": ["text"], "points": [NUMBERS],
@@ -341,23 +332,20 @@ class Kernel:
         name, of, base = self.fresh(d["name"]), {}, d.get("base", [])
         for argument in d.get("of", []):
             of[self.fresh(argument, of)] = "integer"
-        given, start, last = {}, {}, list(of)[-1] if of else None
-        if last is None:
-            need(not base and not d.get("from"), "recursion without an argument")
-        else:
-            start = self.poly(d.get("from", ""), {})
-            need(self.integer(start, {}), "`from` is no integer")
-            given["from"] = add(var(last), start, -1), NONNEGATIVE
+        need(of, "recursion without an argument")
+        last, start = list(of)[-1], self.poly(d["from"], {})
+        need(self.integer(start, {}), "`from` is no integer")
+        given = {"from": (add(var(last), start, -1), NONNEGATIVE)}
         parameters = {v: s for v, s in of.items() if v != last}
 
         def value(at):
-            return app(name, *[var(v) for v in parameters], *([at] if last else []))
+            return app(name, *map(var, parameters), at)
         factor = self.poly(d.get("scale", "1"), of)
         if "scale" in d:
             given["scale"] = factor, POSITIVE
         first = [add(value(add(start, const(j))), self.poly(b, parameters), -1) for j, b in enumerate(base)]
         self.functions[name] = len(of), "real"
-        step, here = self.poly(d["step"], of), var(last) if last else {}
+        step, here = self.poly(d["step"], of), var(last)
         known = [next(iter(value(add(here, const(j)))))[0] for j in range(len(base))]
         need(all(a in known for a in atoms(step) if a[:2] == ("app", name)), "`step` reads other arguments")
         for j, p in enumerate(first):
@@ -540,19 +528,14 @@ def theorem(t):
         kernel.define(d)
     for a in s.get("assumptions", []):
         kernel.learn(a["name"], kernel.clause(a))
-    goals = [(c["name"], kernel.clause(c)) for c in s["conclusions"]]
-    for d in proof.get("definitions", []):
-        kernel.define(d)
-    for lemma in proof.get("lemmas", []):
-        clause = kernel.clause(lemma["clause"])
-        kernel.prove(clause, lemma["proof"])
-        kernel.learn(lemma["clause"]["name"], clause)
-    for name, clause in goals:
-        if name not in proof["conclusions"]:
+    lemmas = [(lemma["clause"], lemma["proof"]) for lemma in proof.get("lemmas", [])]
+    for written, given in [*lemmas, *((c, proof["conclusions"].get(c["name"])) for c in s["conclusions"])]:
+        clause = kernel.clause(written)
+        if given is None:
             raise Invalid("conclusion", "not proved")
-        kernel.prove(clause, proof["conclusions"][name])
-        kernel.learn(name, clause)
-    if len(proof["conclusions"]) != len(goals) or not goals:
+        kernel.prove(clause, given)
+        kernel.learn(written["name"], clause)
+    if len(proof["conclusions"]) != len(s["conclusions"]) or not s["conclusions"]:
         raise Invalid("conclusion", "a proof of nothing that the statement says")
 
 
@@ -581,7 +564,7 @@ def growth(c):
     vector("growth", c, lambda aw, v: aw >= v)
 
 
-# ---- A user's linear system: invariants, and quadratic forms of readouts.
+# ---- A user's linear system.
 class Linear:
     def __init__(self, written):
         self.ranges, self.state = written.get("parameters", {}), reals(written["state"])
@@ -590,7 +573,7 @@ class Linear:
         for mode, rows in written["modes"].items():
             if not set(rows) <= set(self.state.constants):
                 raise Invalid("system", f"mode {mode!r:.40}: no such variable")
-            self.modes[mode] = {v: affine(t, self.names, self.state) for v, t in rows.items()}
+            self.modes[mode] = {v: is_affine(self.names.poly(t, {}), self.state) for v, t in rows.items()}
         if not self.modes or not written["state"] or any(low > high for low, high in self.ranges.values()):
             raise Invalid("system", "no variables, no modes, or an empty range")
 
@@ -626,10 +609,6 @@ def is_affine(p, variables):
     return p
 
 
-def affine(text, names, variables):
-    return is_affine(names.poly(text, {}), variables)
-
-
 def at_names(p, values):
     return sub(p, lambda a: values.get(a[1]) if a[0] == "var" else None)
 
@@ -656,45 +635,6 @@ def counterexample(c):
     need(not holds(claim), "the claim holds")
 
 
-def follows(given, goal, relation, factors):
-    strict = False
-    for name, c in factors.items():
-        if name not in map(str, range(len(given))):
-            raise Invalid("invariance", f"no literal {name!r:.40}")
-        p, known = given[int(name)]
-        if known != ZERO and (relation == ZERO or c < 0):
-            raise Invalid("invariance", f"the multiplier of literal {name}")
-        strict |= known == POSITIVE and c > 0
-        goal = add(goal, mul(const(c), p), -1)
-    rest = goal.pop((), 0)
-    if goal or rest < 0 or relation == ZERO and rest or relation == POSITIVE and not rest and not strict:
-        raise Invalid("invariance", f"not shown; the constant that is left is {rest}")
-
-
-def invariance(c):
-    system = Linear(c["system"])
-    nodes = {n: [system.literal(t) for t in texts] for n, texts in c["nodes"].items()}
-
-    need = needs("invariance")
-    edges, claims = c["edges"], c["claims"]
-    need(claims and all(n in nodes for n in [c["start"], *(e[k] for e in edges for k in ("from", "to")), *(x["at"] for x in claims)]), "no such node, or no claim")
-    for e in edges:
-        need(len(nodes[e["to"]]) == len(e["multipliers"]), "rows of multipliers")
-        step = system.rows(e["by"]) if "by" in e else {}
-        for (p, relation), row in zip(nodes[e["to"]], e["multipliers"]):
-            vertices = system.vertices([at_names(p, step)])
-            need(len(vertices) == len(row), "vertices")
-            for (q,), factors in zip(vertices, row):
-                follows(nodes[e["from"]], q, relation, factors)
-    for claim in claims:
-        follows(nodes[claim["at"]], *system.literal(claim["holds"]), claim["multipliers"])
-
-
-def times(a, b):
-    charge(256 * sum(1 for row in a for x in row if x) * len(b[0]))
-    return [[sum(x * y for x, y in zip(row, column) if x and y) for column in zip(*b)] for row in a]
-
-
 def definite(m, strictly):
     """Whether x'mx >= 0 (> 0) for every x but 0, by elimination."""
     m = [list(row) for row in m]
@@ -708,41 +648,6 @@ def definite(m, strictly):
                 factor = row[k] / pivot
                 row[k:] = [x - factor * y for x, y in zip(row[k:], pivot_row[k:])]
     return True
-
-
-def quadratic(c):
-    need = needs("quadratic")
-    system, size, maps, rate = Linear(c["system"]), len(c["readouts"]), c["maps"], c.get("rate")
-    need(1 <= size <= 200, "1 to 200 readouts")
-    need(len(maps) == len(system.modes) and ("matrix" in c) != bool(c.get("matrices")), "maps and matrices")
-    need(("rate" in c) != ("start" in c) and (rate is None or 0 <= rate < 1), "rate in [0, 1) or start")
-    need(rate is not None or len(c["start"]) == len(c["system"]["state"]), "a number a variable")
-    forms = {}
-    for mode in system.modes:
-        low = c.get("matrix") or c.get("matrices", {}).get(mode)
-        need(low is not None and [len(r) for r in low] == list(range(1, size + 1)), "a lower triangle")
-        forms[mode] = [[low[max(i, j)][min(i, j)] for j in range(size)] for i in range(size)]
-    names = [f"y{j}" for j in range(size)]
-    readouts = dict(zip(names, (affine(t, system.state, system.state) for t in c["readouts"])))
-    coordinates, known = reals(names), reals([*names, *system.ranges])
-    if rate is None:
-        values = {v: const(x) for v, x in zip(c["system"]["state"], c["start"])}
-        y = [[at_names(p, values).get((), Fraction(0))] for p in readouts.values()]
-    for mode, form in forms.items():
-        rows = [affine(t, known, coordinates) for t in maps.get(mode, [])]
-        need(len(rows) == size, "rows of the map")
-        for row, p in zip(rows, readouts.values()):
-            need(all(any(a[1] in coordinates.constants for a in m) for m in row) and at_names(row, readouts) == at_names(p, system.rows(mode)), "the map")
-        vertices = system.vertices(rows)
-        if rate is None:
-            need(len(vertices) == 1 and times(times(list(zip(*y)), form), y)[0][0] > 0, "growth of one system from above 0")
-        need(rate is None or definite(form, True), "not positive definite")
-        for forms_at in vertices:
-            a = [[row.get((("var", n),), Fraction(0)) for n in names] for row in forms_at]
-            for target in list(forms.values())[:1 if "matrix" in c else None]:
-                moved = times(times(list(zip(*a)), target), a)
-                left = [[rate * rate * p - q if rate is not None else q - p for p, q in zip(ps, qs)] for ps, qs in zip(form, moved)]
-                need(definite(left, False), "the form")
 
 
 # ---- Ellipsoids (x-c)' Q^-1 (x-c) <= 1 that runs in continuous time do not leave.

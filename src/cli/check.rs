@@ -1,7 +1,7 @@
 //! `cordon check`.
 
 use std::fs::File;
-use std::io::{Read, Write};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 use cordon_check::Verdict;
@@ -9,6 +9,7 @@ use cordon_check::format::MAX_BYTES;
 use serde_json::json;
 
 use super::select::OutputFormat;
+use cordon_core::files::kind;
 use cordon_core::{Error, Outcome, Result, progress};
 
 /// Arguments of `cordon check`.
@@ -72,7 +73,7 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     }
     if outcome == Outcome::Holds && !unreadable.is_empty() {
         let files = unreadable.join("`, `");
-        return Err(Error::input(format!("`{files}`: expected a certificate")));
+        return Err(Error::input(format!("`{files}`: expected a certificate, which is JSON")));
     }
     Ok(outcome)
 }
@@ -82,9 +83,17 @@ fn judge(path: &Path) -> Result<Verdict> {
     let fail = |e| Error::file("read", path, e);
     let mut bytes = Vec::new();
     let file = File::open(path).map_err(fail)?;
+    if file.metadata().map_err(fail)?.is_dir() {
+        let message = "a folder: expected a certificate";
+        return Err(fail(io::Error::new(io::ErrorKind::IsADirectory, message)));
+    }
     file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(fail)?;
-    Ok(match String::from_utf8(bytes) {
-        Ok(text) => cordon_check::check(&text),
-        Err(_) => Verdict::Unreadable { reason: "no UTF-8 text".into() },
+    if let Some(kind) = kind::binary(&bytes) {
+        return Ok(Verdict::Unreadable { reason: kind.into() });
+    }
+    let text = String::from_utf8_lossy(&bytes);
+    Ok(match kind::foreign(&text) {
+        Some(kind) if kind != kind::JSON => Verdict::Unreadable { reason: kind.into() },
+        _ => cordon_check::check(&text),
     })
 }

@@ -94,10 +94,16 @@ impl<'a> Call<'a> {
             if out == Path::new(files::STREAM) {
                 return Err(Error::input("out: `-`: expected a folder"));
             }
+            files::expect_folder(out)?;
             return Ok(false);
         }
         files::expect_writable(out)?;
         Ok(files::is_stdout(out))
+    }
+
+    /// Whether the command writes files with `--out`.
+    pub fn writes_files(&self) -> bool {
+        !self.paths("out").is_empty()
     }
 
     /// The error in terms of the command line: a message that begins with the name of a given flag is

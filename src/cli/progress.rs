@@ -6,7 +6,7 @@ use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use cordon_core::progress::so_far;
+use cordon_core::progress::{so_far, tried};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Time after which progress is shown.
@@ -68,18 +68,28 @@ impl Heartbeat {
 
 fn draw(bar: &ProgressBar) {
     let (done, expected) = so_far();
-    let template = if expected > 1 {
+    if expected > 1 {
         bar.set_length(expected);
         bar.set_position(done);
-        "{wide_bar} {percent:>3}%, {per_sec}, {eta} left"
-    } else {
-        "{spinner} at work for {elapsed}"
-    };
+    }
+    let tried = tried();
+    let shown = template(expected, &tried);
+    bar.set_message(tried);
     // If our own template did not parse, the default bar would be shown.
-    if let Ok(style) = ProgressStyle::with_template(template) {
+    if let Ok(style) = ProgressStyle::with_template(shown) {
         bar.set_style(style);
     }
     bar.tick();
+}
+
+/// The line for so many pieces of work, or for what is tried.
+fn template(expected: u64, tried: &str) -> &'static str {
+    match (expected > 1, tried.is_empty()) {
+        (true, _) => "{wide_bar} {percent:>3}%, {per_sec}, {eta} left",
+        (false, true) => "{spinner} at work for {elapsed}",
+        // Cut at the end of the line.
+        (false, false) => "{spinner} at work for {elapsed}: {wide_msg}",
+    }
 }
 
 impl Drop for Heartbeat {
@@ -115,5 +125,22 @@ impl<W: Write> Write for Beside<'_, W> {
             Some(heartbeat) => heartbeat.bar.suspend(|| self.stream.flush()),
             None => self.stream.flush(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_tried_is_shown_where_pieces_cannot_be_counted() {
+        assert!(template(9, "eps = 1/2").contains("{wide_bar}"));
+        assert_eq!(template(0, ""), "{spinner} at work for {elapsed}");
+        assert!(template(0, "eps = 1/2").ends_with(": {wide_msg}"));
+        cordon_core::progress::tries("eps = 1/2");
+        assert_eq!(tried(), "eps = 1/2");
+        let bar = ProgressBar::hidden();
+        draw(&bar);
+        assert_eq!(bar.message(), "eps = 1/2");
     }
 }

@@ -1,10 +1,13 @@
 //! The flags that describe a scenario.
 
+use std::collections::BTreeMap;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use cordon_spec::Phase;
 
-use cordon_core::exact::{self, Rational};
+use cordon_core::exact::{self, Rational, shortened};
+use cordon_core::text::Printable;
 use cordon_core::{Error, Result, range};
 use cordon_formats::interchange;
 use cordon_run::protocol;
@@ -126,7 +129,8 @@ impl ScenarioArgs {
         if let Some(own) = scenario.own()
             && let Some(choices) = own.choices()
         {
-            eprintln!("{}: {choices}", own.file);
+            // If stderr is closed there is nothing left to do.
+            let _ = writeln!(Printable(std::io::stderr()), "{}: {choices}", own.file);
         }
         Ok((scenario, flight, places))
     }
@@ -150,9 +154,25 @@ impl ScenarioArgs {
             phase: self.phase.as_deref().map(phase).transpose()?,
             tau: number("tau", &self.tau)?,
             graph: self.graph.clone(),
-            parameters: self.set.iter().map(|set| parameter(set)).collect::<Result<_>>()?,
+            parameters: self.parameters()?,
             ..Draft::default()
         })
+    }
+}
+
+impl ScenarioArgs {
+    /// The parameters that flags set, each once.
+    fn parameters(&self) -> Result<BTreeMap<String, Rational>> {
+        let mut all = BTreeMap::new();
+        for (name, value) in
+            self.set.iter().map(|set| parameter(set)).collect::<Result<Vec<_>>>()?
+        {
+            let shown = shortened(&name);
+            if all.insert(name, value).is_some() {
+                return Err(Error::input(format!("set: `{shown}` occurs twice: expected it once")));
+            }
+        }
+        Ok(all)
     }
 }
 
@@ -167,15 +187,16 @@ pub(super) fn positions(list: &str) -> Result<Vec<Rational>> {
 /// A parameter and its value, like `eps=1/3`.
 fn parameter(set: &str) -> Result<(String, Rational)> {
     let (name, value) = set.split_once('=').ok_or_else(|| {
+        let set = shortened(set);
         Error::input(format!("set: `{set}`: expected a parameter and its value, like `eps=1/3`"))
     })?;
-    Ok((name.to_owned(), exact::parse(&format!("set: {name}"), value)?))
+    Ok((name.to_owned(), exact::parse(&format!("set: {}", shortened(name)), value)?))
 }
 
 fn phase(text: &str) -> Result<Phase> {
     match text {
         "first" => Ok(Phase::First),
         "last" => Ok(Phase::Last),
-        _ => Err(Error::input(format!("phase: `{text}`: expected `first` or `last`"))),
+        _ => Err(Error::input(format!("phase: `{}`: expected `first` or `last`", shortened(text)))),
     }
 }

@@ -11,7 +11,7 @@ use super::own_protocol;
 use super::progress;
 use super::scenario_args::positions;
 use super::select::OutputFormat;
-use cordon_core::exact::{self, decimal_string, fraction, in_short};
+use cordon_core::exact::{self, decimal_string, fraction, in_short, shortened};
 use cordon_core::linear::perron::Perron;
 use cordon_core::{Error, Evidence, Outcome, Rational, Result};
 use cordon_proof::certificate;
@@ -112,8 +112,8 @@ pub(super) fn run(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
                 out,
                 "settling: N = {}, eps = {}, within {} of the targets, from {which}",
                 args.drones(),
-                fraction(&eps),
-                fraction(&within)
+                shortened(&fraction(&eps)),
+                shortened(&fraction(&within))
             )?;
             text(args, &found, out)?;
             certificates::list("wrote   ", &files, out)?;

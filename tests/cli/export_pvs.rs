@@ -466,7 +466,7 @@ fn bad_input_is_named() {
     let error = stderr_of(&["export", "pvs", "--scenario", "scenarios/consensus.toml"], 2);
     assert_eq!(
         error,
-        "error: protocol: `consensus`: expected `coverage`, the protocol of the paper's listings\n"
+        "error: scenarios/consensus.toml: protocol: `consensus`: expected `coverage`, the protocol of the paper's listings\n"
     );
     let error = stderr_of(&["export", "pvs", "--scenario", "no/such.toml"], 74);
     assert!(error.starts_with("error: cannot read `no/such.toml`"), "{error}");
@@ -474,9 +474,16 @@ fn bad_input_is_named() {
     let file = dir.path().join("file");
     std::fs::write(&file, "").unwrap();
     let error = stderr_of(&["export", "pvs", "--out", file.to_str().unwrap()], 74);
-    assert!(error.starts_with("error: cannot create `"), "{error}");
+    assert!(error.starts_with("error: cannot write to `"), "{error}");
+    assert!(error.ends_with("`: a file: expected a folder, or a name for a new one\n"), "{error}");
     let long = dir.path().join("long.toml");
     std::fs::write(&long, "drones = 1001\nmax = 9\nspread_to = 3\nweight = 0.5\n").unwrap();
     let error = stderr_of(&["export", "pvs", "--scenario", long.to_str().unwrap()], 2);
-    assert_eq!(error, "error: drones: `1001`: expected at most 1000 in a PVS theory\n");
+    assert_eq!(
+        error,
+        format!(
+            "error: {}: drones: `1001`: expected at most 1000 in a PVS theory\n",
+            long.display()
+        )
+    );
 }

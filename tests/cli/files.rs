@@ -5,6 +5,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use crate::common::{cordon, run};
+use cordon_core::text::is_harmful;
 use tempfile::TempDir;
 
 struct Folder(TempDir);
@@ -236,6 +237,14 @@ fn reading_has_a_limit() {
             assert!(err.contains(&format!("`{file}`: expected {what}")), "{err}");
         }
     }
+    let mut program = fs::File::create(folder.at("program")).unwrap();
+    program.write_all(b"\x7fELF").unwrap();
+    program.set_len(200_000_000).unwrap();
+    let (_, _, err) = run(&["trace", &folder.name("program")]);
+    assert!(
+        err.contains("program`: a program or library: expected a scenario of at most"),
+        "{err}"
+    );
     // What is not too large is read, from a pipe too.
     let mut child = std::process::Command::new(cordon().get_program())
         .args(["trace", "-", "--steps", "1"])
@@ -248,27 +257,76 @@ fn reading_has_a_limit() {
 }
 
 #[test]
-fn control_characters_steer_no_terminal() {
+fn what_is_not_shown_steers_no_terminal() {
     let folder = Folder::new();
-    let title = "title = \"x\\u0001y \\u001b[31mred\\u009b\"\nstart = [0, 10, 20, 30, 100]\nweight = \"1/5\"\nperiod = 4\ntau = \"1/20\"\n";
-    let path = folder.with("title.toml", title);
-    let clean = |text: &str| !text.chars().any(|c| c.is_control() && c != '\n');
-    let page = folder.name("page.html");
-    for (args, shows) in [
-        (vec!["trace", &path], true),
-        (vec!["cosim", &path], true),
-        (vec!["cosim", &path, "--format", "csv"], false),
-        (vec!["replay", &path, "--out", &page], false),
+    let clean = |text: &str| !text.chars().any(|c| c != '\n' && is_harmful(c));
+    let scenario = |title: &str| {
+        format!("title = \"{title}\"\nstart = [0, 10, 20, 30, 100]\nweight = \"1/5\"\n")
+    };
+    let protocol = |title: &str| {
+        let text = fs::read_to_string("scenarios/own/two-modes.toml").unwrap();
+        let (before, _) = text.split_once("title = ").unwrap();
+        let after = text.split_once("title = ").unwrap().1.split_once('\n').unwrap().1;
+        format!("{before}title = \"{title}\"\n{after}")
+    };
+    let mut refused = 0;
+    for (hidden, name) in [
+        ("\\u001b[31m", "U+001B"),
+        ("\\u009b", "U+009B"),
+        ("\\u202e", "U+202E"),
+        ("\u{202e}", "U+202E"),
+        ("\u{2066}", "U+2066"),
+        ("\u{200b}", "U+200B"),
+        ("\\U000E0041", "U+E0041"),
     ] {
-        let (code, out, err) = run(&args);
-        assert_eq!(code, 0, "{err}");
-        assert!(clean(&out) && clean(&err), "{out}{err}");
-        assert!(!shows || out.starts_with("x\u{fffd}y \u{fffd}[31mred\u{fffd}\n"), "{out}");
+        let title = format!("x{hidden}y");
+        let page = folder.name("page.html");
+        let s = folder.with("s.toml", scenario(&title));
+        let p = folder.with("p.toml", protocol(&title));
+        let calls: [&[&str]; 4] = [
+            &["trace", &s],
+            &["replay", &s, "--out", &page],
+            &["prove", "--protocol", &p],
+            &["trace", "--protocol", &p, "--start", "0,0,0"],
+        ];
+        for call in calls {
+            let (code, out, err) = run(call);
+            assert_eq!((code, out.as_str()), (2, ""), "{call:?}");
+            let place = err.contains("s.toml:1:") || err.contains("p.toml:");
+            assert!(place && err.contains(name) && clean(&err), "{err}");
+            refused += 1;
+        }
+        assert!(!Path::new(&page).exists());
     }
-    assert!(clean(&fs::read_to_string(&page).unwrap()));
-    let (code, _, err) = run(&["trace", "no-\u{1b}[31m-such.toml"]);
-    assert_eq!(code, 74);
-    assert!(clean(&err), "{err}");
+    assert_eq!(refused, 7 * 4);
+    // In names, in comments, and a title that would look like lines of its own.
+    let named = scenario("x") + "[parameters]\n\"a\\u202eb\" = 1\n";
+    for (text, said) in [
+        (named, ":5:1: a key: U+202E"),
+        (scenario("x") + "# a\u{202e}b\n", ":4:4: U+202E"),
+        (scenario("x\\n  proved"), ":1:9: title: expected one line"),
+    ] {
+        let (code, _, err) = run(&["trace", &folder.with("s.toml", &text)]);
+        assert!(code == 2 && err.contains(said), "{text}: {err}");
+    }
+    // Twins that are accepted: letters of any script, and what joins them.
+    for title in ["Größe 中 \u{645}\u{6cc}\u{200c}\u{62e}", "x"] {
+        let (code, out, err) = run(&["trace", &folder.with("s.toml", scenario(title))]);
+        assert!(code == 0 && out.starts_with(&format!("{title}\n")), "{out}{err}");
+    }
+    // What is typed is shown without it.
+    for args in [
+        &["trace", "no-\u{1b}[31m-such.toml"][..],
+        &["trace", "no-\u{202e}-such.toml"],
+        &["trace", "--start", "0,\u{202e}1,2", "--eps", "1/3"],
+        &["prove", "7.2\u{202e}"],
+        &["tr\u{202e}ace"],
+        &["trace", "--\u{202e}"],
+    ] {
+        let (code, out, err) = run(args);
+        assert!((code == 2 || code == 74) && out.is_empty(), "{args:?}");
+        assert!(clean(&err) && err.contains('\u{fffd}'), "{args:?}: {err}");
+    }
 }
 
 #[test]
@@ -378,6 +436,122 @@ fn counterexamples_of_own_protocols_are_certificates() {
     assert!(!std::path::Path::new(&file).exists());
     let nowhere = folder.name("no/such/folder.json");
     let own = "scenarios/own/hasty-coverage.toml";
-    let (code, _, err) = run(&["refute", "--protocol", own, "--out", &nowhere]);
-    assert_eq!(code, 74, "{err}");
+    let (code, out, err) = run(&["refute", "--protocol", own, "--out", &nowhere]);
+    assert_eq!((code, out.as_str()), (74, ""), "{err}");
+}
+
+/// Nothing is said of what could not be written: neither where that is seen before any work, nor after it.
+#[cfg(unix)]
+#[test]
+fn what_cannot_be_written_leaves_stdout_empty() {
+    let folder = Folder::new();
+    let file = folder.with("file", "not a folder");
+    let (within, missing) = (folder.name("file/within"), folder.name("no/such/x.csv"));
+    let own = ["--protocol", "scenarios/own/hasty-coverage.toml"];
+    let converges = ["--protocol", "scenarios/own/digraph.toml"];
+    // The command, whether it writes a folder.
+    let calls: [(&[&str], bool); 14] = [
+        (&["refute", own[0], own[1]], false),
+        (&["refute", "7.2", "--eps", "3/5", "--drones", "4"], false),
+        (&["cosim", "scenarios/paper.toml", "--duration", "1"], false),
+        (&["replay", "scenarios/paper.toml"], false),
+        (&["export", "smt2", "7.2", "--drones", "3"], false),
+        (&["sweep", "7.2", "--drones", "3", "--grid", "2", "--steps", "2"], false),
+        (&["prove", own[0], own[1]], true),
+        (&["prove", "7.2"], true),
+        (&["threshold", own[0], own[1], "--digits", "1"], true),
+        (&["threshold", "--property", "ordering", "--drones", "4"], true),
+        (&["settle", converges[0], converges[1], "--within", "1/10"], true),
+        (&["separation", "scenarios/paper.toml"], true),
+        (&["export", "pvs"], true),
+        (&["sweep", "7.2", "--drones", "3", "--submit", "slurm", "--shards", "1"], true),
+    ];
+    for (call, is_folder) in calls {
+        let out_to = |out: &str| run(&[call, &["--out", out]].concat());
+        let (code, out, err) = out_to(if is_folder { &file } else { &missing });
+        assert_eq!(out, "", "{call:?}");
+        let why = if is_folder { "a file: expected a folder" } else { "there is no such folder" };
+        assert!(code == 74 && err.contains(why), "{call:?}: {code}: {err}");
+        let (code, out, err) = out_to(&within);
+        assert!(code != 0 && out.is_empty() && err.contains("file/within"), "{call:?}: {err}");
+        // Found out after the work. A sweep's result file is no device.
+        if !is_folder && call[0] != "sweep" {
+            let (code, out, err) = out_to("/dev/full");
+            assert_eq!((code, out.as_str()), (74, ""), "{call:?}: {err}");
+        }
+    }
+    assert_eq!(fs::read_to_string(&file).unwrap(), "not a folder");
+    // The twin.
+    let written = folder.name("new/folder");
+    let (code, out, _) = run(&["prove", own[0], own[1], "--out", &written]);
+    assert!(code == 1 && out.contains("  wrote "), "{out}");
+    // A folder where a file is expected.
+    let (code, out, err) = run(&["refute", own[0], own[1], "--out", &written]);
+    assert_eq!((code, out.as_str()), (74, ""));
+    assert!(err.contains("a folder: expected a file"), "{err}");
+}
+
+/// What was found, and what was expected.
+#[test]
+fn another_kind_of_file_is_named() {
+    let folder = Folder::new();
+    let fmu = folder.with("own.fmu", b"PK\x03\x04\x14\x00\xff\xfe");
+    let program = folder.with("program", b"\x7fELF\x02\x01\x00\x00");
+    let other = folder.with("other", b"a\x00\x01\xff");
+    let empty = folder.with("empty.toml", " \n");
+    let table = folder.with("run.csv", "time,x0,x1\n0,1,2\n");
+    let page = folder.with("page.html", "<!doctype html>");
+    let json = folder.with("json.toml", "{ \"schema\": \"cordon-certificate/2\" }");
+    let directory = folder.0.path().display().to_string();
+    let (scenario, protocol) = ("scenarios/paper.toml", "scenarios/own/coverage.toml");
+    let mut tried = 0;
+    for (file, found) in [
+        (fmu.as_str(), "a zip archive, as FMUs are"),
+        (&program, "a program or library"),
+        (&other, "a binary file"),
+        (&empty, "empty"),
+        (&table, "a table in CSV"),
+        (&page, "XML or HTML"),
+        (&json, "JSON"),
+        (&directory, "a folder"),
+    ] {
+        for (call, expected) in [
+            (vec!["trace", file], "expected a scenario"),
+            (vec!["prove", "--protocol", file], "expected a protocol"),
+        ] {
+            let (code, out, err) = run(&call);
+            assert!((code == 2 || code == 74) && out.is_empty(), "{call:?}");
+            assert!(err.contains(&format!("{found}: {expected}")), "{call:?}: {err}");
+            tried += 1;
+        }
+    }
+    assert_eq!(tried, 16);
+    // Files that only programs write.
+    let start = "start = [0, 1, 3]\nweight = 0.5\n[[unit]]\ndrone = 1\nunit = \"plant\"\nfmu = ";
+    let unit = |fmu: &str| folder.with("unit.toml", format!("{start}'{fmu}'\n"));
+    let html = folder.name("page.html");
+    let system = folder.with("x.ssp", "no archive");
+    let model = folder.with("model.json", "title = 1");
+    let nothing = folder.with("nothing.json", "");
+    fs::create_dir(folder.at("folder.ssp")).unwrap();
+    let folder_as_system = folder.name("folder.ssp");
+    for (call, said) in [
+        (vec!["cosim", &system], "x.ssp`: no zip archive: expected an SSP archive"),
+        (vec!["cosim", &folder_as_system], "folder.ssp`: a folder: expected an SSP archive"),
+        (vec!["cosim", &unit(&table)], "run.csv`: no zip archive: expected an FMU"),
+        (vec!["cosim", &model], "model.json`: no JSON: expected a multi-model"),
+        (vec!["cosim", &nothing], "nothing.json`: empty: expected a multi-model"),
+        (vec!["replay", &nothing, "--out", &html], "nothing.json`: empty: expected a whole run"),
+        (vec!["check", protocol], "coverage.toml`: expected a certificate, which is JSON"),
+    ] {
+        let (code, _, err) = run(&call);
+        assert!((code == 2 || code == 74) && err.contains(said), "{call:?}: {err}");
+    }
+    let (_, _, err) = run(&["cosim", protocol]);
+    assert!(err.contains("coverage.toml: a protocol file: expected a scenario"), "{err}");
+    let start_only = folder.with("s.toml", "start = [0, 1, 2]\neps = 0.2\n");
+    for file in [scenario, &start_only] {
+        let (code, _, err) = run(&["prove", "--protocol", file]);
+        assert!(code == 2 && err.contains(": a scenario: expected a protocol file"), "{err}");
+    }
 }

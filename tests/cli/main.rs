@@ -5,6 +5,7 @@
 mod common;
 
 mod at;
+mod bad_input;
 mod commands;
 mod cosim;
 mod documents;
@@ -17,13 +18,17 @@ mod fmu;
 #[cfg(all(feature = "fmi-import", unix))]
 mod foreign;
 mod golden;
+mod help;
 mod messages;
 mod own_runs;
 mod own_verdicts;
 mod replay;
 mod schemas;
 mod separation;
+mod slave;
 #[cfg(unix)]
 mod submit;
 mod sweep;
+mod sweep_files;
+mod trace;
 mod trust_lines;

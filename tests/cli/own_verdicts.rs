@@ -273,3 +273,125 @@ fn help_that_cannot_be_written_is_no_success() {
     let status = std::process::Command::new(program).arg("--help").stdout(full).status().unwrap();
     assert_eq!(status.code(), Some(74));
 }
+
+/// What text says of both ends of a range, JSON says too.
+#[test]
+fn ends_without_a_bracket_are_told_apart() {
+    let known = |set: &str| {
+        let own = "scenarios/own/coverage.toml";
+        let line = ["threshold", "--protocol", own, "--agents", "4", "--set", set];
+        let (code, out, _) = run(&[&line[..], &["--format", "json"]].concat());
+        assert_eq!(code, 3, "{out}");
+        let page: serde_json::Value = serde_json::from_str(&out).unwrap();
+        (run(&line).1, page["threshold"]["ends"].clone())
+    };
+    let end = |value: &str, known: &str| serde_json::json!({ "value": value, "known": known });
+    let (text, ends) = known("eps=1/4..1/2");
+    assert!(text.contains("it holds at the lower end of eps and holds at the upper end"), "{text}");
+    assert_eq!(ends, serde_json::json!([end("1/4", "holds"), end("1/2", "holds")]));
+    let (text, ends) = known("eps=3/5..1");
+    assert!(text.contains("it fails at the lower end of eps and fails at the upper end"), "{text}");
+    assert_eq!(ends, serde_json::json!([end("3/5", "fails"), end("1", "fails")]));
+    let bracketed =
+        "threshold --protocol scenarios/own/coverage.toml --agents 4 --set eps=0..1 --digits 1";
+    let line: Vec<_> = bracketed.split(' ').chain(["--format", "json"]).collect();
+    let page: serde_json::Value = serde_json::from_str(&run(&line).1).unwrap();
+    assert_eq!(
+        page["threshold"]["ends"],
+        serde_json::json!([end("0", "holds"), end("1", "fails")])
+    );
+}
+
+/// Every message about a protocol file names line and column, or the key that is missing.
+#[test]
+fn what_is_wrong_with_a_protocol_file_has_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let whole = "agents = 3\ntopology = \"line\"\nstart = [\"x0 = 0\"]\nclaims = [\"x0 = 0\"]\n\
+                 [parameters]\neps = \"0..1\"\n[rules]\nfirst = \"x\"\ninner = \"x\"\nlast = \"x\"\n";
+    let continuous = "time = \"continuous\"\n";
+    let changes: [(&str, &str, &[&str], &str); 11] = [
+        (
+            "\"x0 = 0\"]\nclaims",
+            "\"x0 = 0\", \"x0 = 1\"]\nclaims",
+            &["prove"],
+            ":3:9: start: no start meets",
+        ),
+        (
+            "start = [\"x0 = 0\"]\nclaims = [\"x0 = 0\"]",
+            "claims = [\"x0 = 0\", \"x0 = 1\"]",
+            &["prove"],
+            ":3:10: claims: no start",
+        ),
+        (
+            "inner = \"x\"\n",
+            "",
+            &["prove"],
+            ":7:1: rules: agent 1 has no rule: expected `all`, `inner` or `1`",
+        ),
+        ("last = \"x\"\n", "", &["prove"], ": agent 2 has no rule: expected `all`, `last` or `2`"),
+        (
+            "claims = [\"x0 = 0\"]\n",
+            "",
+            &["prove"],
+            ": claims: none: expected `claims` or `converges`",
+        ),
+        (
+            "claims = [\"x0 = 0\"]\n",
+            "converges = \"agreement\"\n",
+            &["refute"],
+            ": claims: none: expected",
+        ),
+        (
+            "claims = [\"x0 = 0\"]\n",
+            "converges = \"agreement\"\n",
+            &["sweep"],
+            ": claims: none: expected",
+        ),
+        ("agents = 3\n", "", &["prove"], ": agents: is missing: expected their number"),
+        (
+            "agents",
+            "time = \"continuous\"\nagents",
+            &["sweep"],
+            ":1:8: time: `continuous`: expected a protocol that acts in steps",
+        ),
+        (
+            "claims = [\"x0 = 0\"]",
+            "claims = [{ holds = \"x0 < 1\", from = 3 }]\ntime = \"continuous\"",
+            &["prove"],
+            ":4:11: claims: expected no `from`",
+        ),
+        (
+            "last = \"x\"\n",
+            "last = \"x\"\n[departures]\nskip = true\n",
+            &["prove"],
+            ":13:8: departures.skip: expected none",
+        ),
+    ];
+    for (from, to, command, said) in changes {
+        let text = match to.contains("skip") {
+            true => format!("{continuous}{}", whole.replacen(from, to, 1)),
+            false => whole.replacen(from, to, 1),
+        };
+        assert!(text != whole);
+        let file = written(&folder, "p", &text);
+        let (code, out, err) = run(&[command, &["--protocol", &file]].concat());
+        assert_eq!((code, out.as_str()), (2, ""), "{to}: {err}");
+        assert!(err.starts_with(&format!("error: {file}")) && err.contains(said), "{to}: {err}");
+    }
+    let file = written(&folder, "p", whole);
+    assert_eq!(run(&["prove", "--protocol", &file]).0, 0);
+}
+
+/// A title with nothing in it is none.
+#[test]
+fn an_empty_title_is_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string("scenarios/own/ring-pulls.toml").unwrap();
+    let at = text.find("title = ").unwrap();
+    let end = at + text[at..].find('\n').unwrap();
+    for title in ["title = \"\"", "title = \" \""] {
+        let file = written(&folder, "p", &format!("{}{title}{}", &text[..at], &text[end..]));
+        let (_, out, err) = run(&["theorems", "--protocol", &file]);
+        assert!(out.starts_with(&format!("{file}: ")), "{out}{err}");
+    }
+}

@@ -169,14 +169,23 @@ fn jobs_that_make_no_sense_are_refused() {
         "7.2 --submit kubernetes --shards 4 --time 1:00",
         "--time: `1:00`: expected `--submit slurm`",
     );
+    refused(
+        "7.2 --submit slurm --shards 4 --dry-run --time bogus",
+        "--time: `bogus`: expected minutes, minutes:seconds, hours:minutes:seconds, days-hours",
+    );
+    refused("7.2 --submit slurm --shards 4 --dry-run --time 1:60", "--time: `1:60`: expected");
+    refused(
+        "7.2 --submit slurm --shards 4 --dry-run --partition a,,b",
+        "--partition: `a,,b`: expected names of partitions",
+    );
     refused("status src", "`src`: expected the folder of a submitted sweep");
-    // Nothing is written by a dry run, and words of the user's are words of the shell's.
+    // Nothing is written by a dry run.
     let args =
-        "7.2 --submit slurm --shards 4 --out no-such-folder --dry-run --time 1:00 --partition";
-    let args: Vec<_> = ["sweep"].into_iter().chain(args.split(' ')).chain(["a b"]).collect();
+        "7.2 --submit slurm --shards 4 --out no-such-folder --dry-run --time 1-12:30 --partition";
+    let args: Vec<_> = ["sweep"].into_iter().chain(args.split(' ')).chain(["short,long"]).collect();
     let (code, out, _) = run(&args);
     assert_eq!(code, 0);
-    assert!(out.contains("--cpus-per-task=1 --partition='a b' --time=1:00 "), "{out}");
+    assert!(out.contains("--cpus-per-task=1 --partition=short,long --time=1-12:30 "), "{out}");
     assert!(!Path::new("no-such-folder").exists());
 }
 

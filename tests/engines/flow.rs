@@ -67,7 +67,7 @@ fn what_is_about_steps_is_refused_by_name() {
     let file = of(&spring());
     let refused = file.system().unwrap_err().to_string();
     assert!(
-        refused.contains("own: time: `continuous`: expected a protocol that acts in steps"),
+        refused.contains(":8: time: `continuous`: expected a protocol that acts in steps"),
         "{refused}"
     );
     let changed = |from: &str, to: &str| {

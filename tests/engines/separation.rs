@@ -84,9 +84,7 @@ fn the_loop_is_the_one_of_the_equations() {
 
 /// How many claims are proved at every step of every run.
 fn claimed(verdict: &Verdict) -> usize {
-    let words = verdict.to_string();
-    let line = words.split(", at every step: ").nth(1).unwrap_or_default();
-    line.split(" and ").count()
+    verdict.to_string().matches("proved: for all integers k, if k >= 0 then ").count()
 }
 
 type Found = ((&'static str, &'static str), usize, bool, usize, usize);
@@ -142,29 +140,31 @@ fn quick_positions_have_a_negative_sample_that_the_checker_sees() {
         let page = negative(&response, &found).unwrap();
         let verdict = cordon_check::check(&page.to_string());
         assert!(matches!(verdict, Verdict::Valid { .. }), "{gain}: {verdict}");
-        let claim = format!("at after{}: ", found.step);
+        let claim = format!("proved: 0 > x({})", found.step);
         assert!(verdict.to_string().contains(&claim), "{verdict}");
     }
     // A step earlier it is not, and no certificate can be made; a forged one is refused.
     let mut response = response(&looped(("1", "4"), WAYS[0]), false);
     response.readouts.truncate(1);
     let Finding::Negative(mut found) = decide(&response) else { panic!() };
-    let page = negative(&response, &found).unwrap().to_string();
-    assert_eq!(cordon_check::check(&page).code(), 0);
-    let earlier = format!("\"at\":\"after{}\"", found.step - 1);
-    let forged = page.replace(&format!("\"at\":\"after{}\"", found.step), &earlier);
-    assert_ne!(forged, page);
-    let verdict = cordon_check::check(&forged);
-    assert_eq!(verdict.code(), 4);
-    let reason = "the multipliers do not give the coefficient of command";
-    assert!(verdict.to_string().contains(reason), "{verdict}");
+    let page = negative(&response, &found).unwrap();
+    assert_eq!(cordon_check::check(&page.to_string()).code(), 0);
+    let forged = changed(&page, |c| {
+        let goal = &mut c["statement"]["conclusions"][0]["goal"];
+        let earlier = goal
+            .as_str()
+            .unwrap()
+            .replace(&format!("({})", found.step), &format!("({})", found.step - 1));
+        *goal = json!(earlier);
+    });
+    assert!(forged.contains("rule positivity: the sides differ at `x("), "{forged}");
     found.step -= 1;
     assert_eq!(negative(&response, &found), None);
 }
 
 fn changed(page: &Value, change: impl Fn(&mut Value)) -> String {
     let mut page = page.clone();
-    change(&mut page["certificate"]["invariance"]);
+    change(&mut page["certificate"]["theorem"]);
     cordon_check::check(&page.to_string()).to_string()
 }
 
@@ -174,36 +174,51 @@ fn tampered_and_false_certificates_are_refused_for_the_right_reason() {
     let cone = cone(&response);
     let page = nonnegative(&response, &cone).unwrap();
     assert!(changed(&page, |_| ()).starts_with("valid"), "the twin");
-    let last = page["certificate"]["invariance"]["edges"].as_array().unwrap().len() - 1;
-    let reasons = [
-        // A multiplier that is negative, or another one.
-        changed(&page, |c| c["edges"][last]["multipliers"][0][0] = json!({ "0": "-1" })),
-        changed(&page, |c| c["edges"][last]["multipliers"][0][0] = json!({ "0": "1" })),
-        // A cone that is left out, or has a row more.
-        changed(&page, |c| drop(c["edges"].as_array_mut().unwrap().pop())),
-        changed(&page, |c| c["nodes"]["kept"].as_array_mut().unwrap().push(json!("v >= 0"))),
+    let lemmas = page["certificate"]["theorem"]["proof"]["lemmas"].as_array().unwrap();
+    let kept = lemmas.iter().position(|l| l["proof"]["induction"].is_object()).unwrap();
+    let step = |c: &mut Value, change: &dyn Fn(&mut Value)| {
+        let step = &mut c["proof"]["lemmas"][kept]["proof"]["induction"]["step"]["positivity"];
+        change(step["use"].as_array_mut().unwrap().last_mut().unwrap());
+    };
+    let assumption = |c: &mut Value, name: &str, from: &str, to: &str| {
+        let all = c["statement"]["assumptions"].as_array_mut().unwrap();
+        let goal = &mut all.iter_mut().find(|a| a["name"] == name).unwrap()["goal"];
+        let text = goal.as_str().unwrap().replace(from, to);
+        assert_ne!(*goal, json!(text));
+        *goal = json!(text);
+    };
+    let goal = |c: &mut Value, to: &str| c["statement"]["conclusions"][0]["goal"] = json!(to);
+    let found = [
+        // Weights that may be negative, or other ones.
+        changed(&page, |c| step(c, &|before| before["with"]["l0"] = json!("-l0"))),
+        changed(&page, |c| step(c, &|before| before["with"]["l0"] = json!("l0"))),
+        // A cone that is left out, or another one.
+        changed(&page, |c| drop(c["proof"]["lemmas"].as_array_mut().unwrap().remove(kept))),
+        changed(&page, |c| {
+            c["proof"]["lemmas"][kept]["clause"]["goal"] = json!("l0*v(k) + c > 0");
+        }),
         // Quicker drones, and a start that is moved.
-        changed(&page, |c| c["system"]["modes"]["step"]["u"] = json!("-16*a - 8*j - 32*v - 16*x")),
-        changed(&page, |c| c["nodes"]["after0"][4] = json!("u - 3*command = 0")),
+        changed(&page, |c| assumption(c, "step.u", "v(k)", "2*v(k)")),
+        changed(&page, |c| assumption(c, "start.4", "u(0)", "u(0) - command(0)")),
         // More than is true.
-        changed(&page, |c| c["claims"][0]["holds"] = json!("x > 0")),
-        changed(&page, |c| c["claims"][0]["holds"] = json!("v >= 0")),
+        changed(&page, |c| goal(c, "x(k) > 0")),
+        changed(&page, |c| goal(c, "v(k) >= 0")),
     ];
-    let expected = [
-        "has to be of an equation, or >= 0",
-        "the multipliers do not give the coefficient of",
-        "proved of the runs along",
-        "rows of multipliers: expected",
-        "the multipliers do not give the coefficient of",
-        "the multipliers do not give the coefficient of",
-        "the bound is reached, but not strictly",
-        "the multipliers do not give the coefficient of",
+    let rules = [
+        "positivity",
+        "positivity",
+        "instance",
+        "positivity",
+        "positivity",
+        "positivity",
+        "positivity",
+        "positivity",
     ];
-    for (k, (found, reason)) in reasons.iter().zip(expected).enumerate() {
-        assert!(found.contains(reason), "{k}: {found}");
-        // Without the cone's own step nothing is said of every step, which is no fault of the rest.
-        assert_eq!(found.starts_with("valid"), k == 2, "{k}: {found}");
-        assert!(!found.contains("proved of every run, at every step"), "{k}: {found}");
+    for (k, (found, rule)) in found.iter().zip(rules).enumerate() {
+        assert!(
+            found.starts_with("invalid") && found.contains(&format!("rule {rule}: ")),
+            "{k}: {found}"
+        );
     }
     // The cone of one loop is none of another, in which the response does turn negative.
     let quick = super::separation::response(&looped(("1", "4"), WAYS[0]), false);
@@ -304,8 +319,10 @@ fn the_smallest_desired_gap_is_certified_where_it_is_kept() {
     let long: Vec<Rational> = (0..150).map(|i| Rational::from_integer((i * i).into())).collect();
     let page = smallest_gap(&long, &q("1/3"), &q("1"), Update::AtOnce).unwrap();
     assert!(cordon_proof::certificate::judged(&page).is_ok());
-    let forged = page.to_string().replace("-x0 + x1 - 1 >= 0", "-x0 + x1 - 2 >= 0");
-    assert_eq!(cordon_check::check(&forged).code(), 4);
+    let forged = changed(&page, |c| {
+        c["statement"]["conclusions"][0]["goal"] = json!("-x0(k) + x1(k) - 2 >= 0");
+    });
+    assert!(forged.contains("rule positivity: the sides differ in their constants"), "{forged}");
 }
 
 /// Along z a drone is z'' = -(2 lambda_P z' + lambda_P^2 (z - z_d)), with the exchange one step late: never past

@@ -4,7 +4,7 @@ use num_bigint::{BigInt, BigUint, Sign};
 use num_integer::Integer;
 use num_traits::{One, Pow, Signed, Zero};
 
-use crate::text::cut;
+use crate::text::{cut, one_line};
 use crate::{Error, Result};
 
 /// The exact rationals on which the spec is executed by default.
@@ -26,9 +26,10 @@ pub fn parse(what: &str, text: &str) -> Result<Rational> {
     parse_exact(text).map_err(|why| Error::input(format!("{what}: `{}` {why}", shortened(text))))
 }
 
-/// User input, shortened for a message.
+/// User input in a message: one line, without what is not shown, shortened.
 pub fn shortened(text: &str) -> String {
-    cut(text, 40)
+    // Before the rest of a long text is looked at.
+    one_line(&cut(text, 40))
 }
 
 const EXPECTED: &str = "is not a number: expected an integer, a fraction like 1/5 or a decimal";

@@ -7,11 +7,13 @@ use std::sync::{Mutex, PoisonError};
 
 use crate::{Error, Result};
 
+pub mod kind;
 #[cfg(feature = "output")]
 mod output;
 #[cfg(feature = "output")]
 pub use output::{
-    expect_writable, is_regular, is_stdout, same, write_atomically, write_regardless, write_whole,
+    expect_folder, expect_writable, is_regular, is_stdout, same, write_atomically,
+    write_regardless, write_whole,
 };
 
 /// The name that stands for stdin where a file is read, and for stdout where one is written.
@@ -68,26 +70,31 @@ pub fn is_input(path: &Path) {
 /// The file cannot be read, or is larger.
 pub fn read(path: &Path, limit: Limit) -> Result<Vec<u8>> {
     let fail = |e| Error::file("read", path, e);
-    let too_large = || {
-        Error::input(format!(
-            "`{}`: expected {} of at most {} MiB",
-            path.display(),
-            limit.what,
-            limit.bytes / MIB
-        ))
+    let too_large = |kind: Option<&str>| {
+        let found = kind.map(|kind| format!("{kind}: ")).unwrap_or_default();
+        let (name, what, most) = (path.display(), limit.what, limit.bytes / MIB);
+        Error::input(format!("`{name}`: {found}expected {what} of at most {most} MiB"))
     };
     let mut bytes = Vec::new();
     if path == Path::new(STREAM) {
         io::stdin().lock().take(limit.bytes + 1).read_to_end(&mut bytes).map_err(fail)?;
     } else {
-        let file = File::open(path).map_err(fail)?;
-        if file.metadata().map_err(fail)?.len() > limit.bytes {
-            return Err(too_large());
+        let mut file = File::open(path).map_err(fail)?;
+        let found = file.metadata().map_err(fail)?;
+        if found.is_dir() {
+            let message = format!("a folder: expected {}", limit.what);
+            return Err(fail(io::Error::new(io::ErrorKind::IsADirectory, message)));
+        }
+        if found.len() > limit.bytes {
+            let mut first = [0; 16];
+            let known =
+                file.read_exact(&mut first).ok().and_then(|()| kind::by_first_bytes(&first));
+            return Err(too_large(known));
         }
         is_input(path);
         file.take(limit.bytes + 1).read_to_end(&mut bytes).map_err(fail)?;
     }
-    if bytes.len() as u64 > limit.bytes { Err(too_large()) } else { Ok(bytes) }
+    if bytes.len() as u64 > limit.bytes { Err(too_large(None)) } else { Ok(bytes) }
 }
 
 /// Reads a UTF-8 text file, without its byte order mark.
@@ -95,10 +102,32 @@ pub fn read(path: &Path, limit: Limit) -> Result<Vec<u8>> {
 /// # Errors
 /// As [`read`], or the file is no UTF-8 text.
 pub fn read_text(path: &Path, limit: Limit) -> Result<String> {
-    let mut text = String::from_utf8(read(path, limit)?)
-        .map_err(|_| Error::input(format!("`{}`: expected UTF-8 text", path.display())))?;
+    let bytes = read(path, limit)?;
+    let (name, what) = (path.display(), limit.what);
+    if let Some(kind) = kind::binary(&bytes) {
+        return Err(Error::input(format!(
+            "`{name}`: {kind}: expected {what}, which is UTF-8 text"
+        )));
+    }
+    let mut text = String::from_utf8(bytes)
+        .map_err(|_| Error::input(format!("`{name}`: expected {what}, which is UTF-8 text")))?;
     if text.starts_with('\u{feff}') {
         text.drain(..'\u{feff}'.len_utf8());
     }
     Ok(text)
+}
+
+/// Reads a file that a program has written as an object in JSON; whether it is whole is not looked at.
+///
+/// # Errors
+/// As [`read_text`], or the file is of another kind.
+pub fn read_json(path: &Path, limit: Limit) -> Result<String> {
+    let text = read_text(path, limit)?;
+    match kind::no_json(&text) {
+        Some(kind) => {
+            let (name, what) = (path.display(), limit.what);
+            Err(Error::input(format!("`{name}`: {kind}: expected {what}, which is JSON")))
+        }
+        None => Ok(text),
+    }
 }

@@ -113,8 +113,6 @@ impl Signature {
             Parser { signature: self, vars, facts, rest: text.trim_start_matches(' ') };
         let poly = parser.sum(0).or_else(|reason| fault(RULE, reason))?;
         let rest = parser.rest;
-        let what = "expected a fraction like `1/2` in the place of a decimal";
-        ensure!(!rest.starts_with('.'), RULE, "`{text:.60}`: {what}");
         ensure!(rest.is_empty(), RULE, "`{text:.60}`: unexpected `{rest:.20}`");
         Ok(poly)
     }

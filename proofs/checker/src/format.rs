@@ -136,15 +136,15 @@ objects! {
     Function { of: usize, to: Sort }
     /// A function by recursion on the last of its arguments, integers: where that starts, the first values, and the next
     /// value times a factor.
-    Definition { name: String, step: String; of: Vec<String>, from: String, base: Vec<String>; scale: String }
+    Definition { name: String, of: Vec<String>, from: String, step: String; base: Vec<String>; scale: String }
     /// For all values of the variables, if the literals given hold so does the goal.
     Clause { name: String, goal: String; r#for: Vec<Variable>, given: Vec<Given> }
     /// A variable and its values.
     Variable { name: String, sort: Sort }
     /// A literal given, and its name as a fact.
     Given { name: String, holds: String }
-    /// Functions that the statement does not speak of, lemmas in order, the conclusions' proofs by name.
-    Proofs { conclusions: Named<Proof>; definitions: Vec<Definition>, lemmas: Vec<Lemma> }
+    /// Lemmas in order, and the conclusions' proofs by name.
+    Proofs { conclusions: Named<Proof>; lemmas: Vec<Lemma> }
     /// A clause with its proof.
     Lemma { clause: Clause, proof: Proof }
     /// The goal, times positive facts, as a sum of products of facts, instances of lemmas among them.

@@ -19,6 +19,7 @@ pub mod refutation;
 pub mod system;
 pub mod vector;
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use cordon_spec::coverage::exec_coverage;
@@ -123,19 +124,23 @@ pub fn check_of(text: &str, step: Step) -> Verdict {
 /// # Errors
 /// What is wrong with it.
 pub fn assume(s: &Statement, kernel: &mut Kernel, protocol: Step) -> Result<Vec<String>> {
-    let mut words = Vec::new();
+    let mut spoken: BTreeMap<String, Vec<&str>> = BTreeMap::new();
     for (name, Function { of, to }) in &s.functions.0 {
         kernel.function(name, *of, *to)?;
-        let met = "that meets what is assumed, if there is one";
-        words.push(format!("for every {to} function {name} of arity {of} {met}"));
+        let what = format!(
+            "for all {to} functions of arity {of} that meet what is assumed, if there are such:"
+        );
+        spoken.entry(what).or_default().push(name);
     }
+    let mut words = Vec::new();
     if let Some(system) = &s.system {
-        words.insert(0, system::install(system, kernel, protocol)?);
+        words.push(system::install(system, kernel, protocol)?);
     }
     for (name, sort) in &s.constants.0 {
         kernel.constant(name, *sort)?;
-        words.push(format!("for every {sort} {name}"));
+        spoken.entry(format!("for all {sort}s")).or_default().push(name);
     }
+    words.extend(spoken.iter().map(|(what, names)| format!("{what} {}", names.join(", "))));
     for d in &s.definitions {
         words.push(format!("where {}", kernel.define(d)?));
     }
@@ -152,34 +157,21 @@ fn prove<'t>(t: &'t Theorem, protocol: Step, step: &mut &'t str) -> Result<Shown
     *step = "statement";
     let (mut kernel, s) = (Kernel::default(), &t.statement);
     let mut words = assume(s, &mut kernel, protocol)?;
-    // What is to be proved, before the proof brings its own names.
-    let goals: Vec<_> =
-        s.conclusions.iter().map(|c| Ok((c, kernel.clause(c)?))).collect::<Result<_>>()?;
-    for d in &t.proof.definitions {
-        *step = &d.name;
-        kernel.define(d)?;
-    }
-    let mut proved = 0;
-    for lemma in &t.proof.lemmas {
-        *step = &lemma.clause.name;
-        let clause = kernel.clause(&lemma.clause)?;
-        kernel.check(&clause, &lemma.proof)?;
-        kernel.add(&lemma.clause.name, clause)?;
-        proved += 1;
-    }
-    for (written, clause) in goals {
+    let goals = s.conclusions.iter().map(|c| (c, t.proof.conclusions.0.get(&c.name)));
+    let lemmas = t.proof.lemmas.iter().map(|l| (&l.clause, Some(&l.proof)));
+    for (place, (written, proof)) in lemmas.chain(goals).enumerate() {
         *step = &written.name;
-        let Some(proof) = t.proof.conclusions.0.get(&written.name) else {
-            return fault("conclusion", "not proved");
-        };
+        let clause = kernel.clause(written)?;
+        let Some(proof) = proof else { return fault("conclusion", "not proved") };
         kernel.check(&clause, proof)?;
-        words.push(format!("proved: {clause}"));
+        if place >= t.proof.lemmas.len() {
+            words.push(format!("proved: {clause}"));
+        }
         kernel.add(&written.name, clause)?;
-        proved += 1;
     }
     *step = "statement";
     if t.proof.conclusions.0.len() != s.conclusions.len() || s.conclusions.is_empty() {
         return fault("conclusion", "a proof of nothing that the statement says");
     }
-    Ok((words.join("\n  "), proved))
+    Ok((words.join("\n  "), t.proof.lemmas.len() + s.conclusions.len()))
 }

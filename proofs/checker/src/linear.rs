@@ -95,19 +95,7 @@ impl<'c> System<'c> {
         self.modes.get(mode).map_or_else(|| fault(SYSTEM, format!("no mode `{mode:.40}`")), Ok)
     }
 
-    /// The state with these numbers in the place of the variables.
-    ///
-    /// # Errors
-    /// There are more or fewer numbers than variables.
-    pub fn placed(&self, numbers: &[Number]) -> Result<Values<'c>> {
-        let (found, expected) = (numbers.len(), self.written.state.len());
-        ensure!(found == expected, SYSTEM, "a start of {found} numbers: expected {expected}");
-        let values = numbers.iter().cloned().map(Poly::constant);
-        Ok(self.written.state.iter().map(String::as_str).zip(values).collect())
-    }
-
-    /// The forms at each vertex of the box of the parameters that occur in them: lower ends first,
-    /// the last parameter by name changing fastest. A range that is a point counts once.
+    /// The forms at each vertex of the box of the parameters that occur in them. A range that is a point counts once.
     ///
     /// # Errors
     /// They are too many.
@@ -127,12 +115,6 @@ impl<'c> System<'c> {
             all = all.iter().flat_map(|f| ends.iter().map(|end| there(f, end))).collect();
         }
         Ok(all)
-    }
-
-    /// A start in words.
-    pub fn start<'n>(&self, numbers: impl IntoIterator<Item = &'n Number>) -> String {
-        let named = self.written.state.iter().zip(numbers).map(|(name, n)| format!("{name} = {n}"));
-        joined(named, ", ")
     }
 
     /// The system in words: what it is, its modes, the ranges of parameters but for those that have a value in the whole run, and

@@ -6,7 +6,7 @@ use cordon_spec::delay::exec_coverage_delayed;
 use cordon_spec::theorems::{Form, Setting, Subject, Theorem, Truth, Verdict, Violation};
 use cordon_spec::{Params, State};
 
-use crate::expr::Literal;
+use crate::expr::{Literal, joined};
 use crate::fault::{Result, Shown, ensure, fault};
 use crate::format::{Counterexample, Delay, Named, Refutation};
 use crate::linear::{System, Values, at};
@@ -25,7 +25,10 @@ pub fn counterexample(c: &Counterexample) -> Result<Shown> {
     let (system, ranges) = (System::read(&c.system)?, &c.system.parameters.0);
     let assumed = c.assumptions.iter().map(|l| system.literal(l)).collect::<Result<Vec<_>>>()?;
     let claim = system.literal(&c.claim)?;
-    let mut state = system.placed(&c.start)?;
+    let (found, expected) = (c.start.len(), c.system.state.len());
+    ensure!(found == expected, RULE, "a start of {found} numbers: expected {expected}");
+    let named = || c.system.state.iter().map(String::as_str).zip(&c.start);
+    let mut state: Values<'_> = named().map(|(v, x)| (v, Poly::constant(x.clone()))).collect();
     let holds = |l: &Literal, state: &Values<'_>| l.map(|p| at(p, state)).decided() == Some(true);
     for literal in &assumed {
         ensure!(holds(literal, &state), RULE, "the start does not meet {literal}");
@@ -57,7 +60,7 @@ pub fn counterexample(c: &Counterexample) -> Result<Shown> {
     }
     let step = c.steps.len();
     ensure!(!holds(&claim, &state), RULE, "at step {step} the claim holds");
-    let start = system.start(&c.start);
+    let start = joined(named().map(|(v, x)| format!("{v} = {x}")), ", ");
     let words = system.words(["a linear system of", "in each step"], &c.with, &assumed);
     Ok((format!("{words}\n  refuted at step {step}: {claim}, by a run from {start}"), 1))
 }

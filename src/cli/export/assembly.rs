@@ -32,7 +32,7 @@ pub struct ExportArgs {
 fn assembly(args: &ExportArgs, format: Format) -> Result<(Assembly, FmiVersion, Vec<u8>)> {
     // Not every tool can connect strings, and some silently read them as empty.
     let (swarm, places) = args.flight.swarm_exchanging(&args.scenario, "double")?;
-    if !args.out.is_dir() {
+    if let Format::Ssp = format {
         files::expect_writable(&args.out)?;
     }
     let assembly = Assembly::of(&swarm).and_then(|assembly| match format {
@@ -63,9 +63,9 @@ pub(super) fn into_cps(args: &ExportArgs, out: &mut dyn Write) -> Result<Outcome
     }
     // The multi-model is written last: if it exists, its FMUs do.
     written.push((into_cps::FILE_NAME.to_owned(), text));
+    std::fs::create_dir_all(&args.out).map_err(|e| Error::file("create", &args.out, e))?;
     // Checked before the first file is written: none may replace a file named by the scenario.
     written.iter().try_for_each(|(name, _)| files::expect_writable(&args.out.join(name)))?;
-    std::fs::create_dir_all(&args.out).map_err(|e| Error::file("create", &args.out, e))?;
     for (name, content) in &written {
         files::write_atomically(&args.out.join(name), content)?;
     }

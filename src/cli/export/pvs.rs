@@ -67,23 +67,24 @@ fn theory(system: &System) -> Result<File> {
 
 fn instance(args: &Args) -> Result<Instance> {
     let scenario = match &args.scenario {
-        Some(path) => scenario::read(path)?.finish().map_err(|e| match e {
-            Error::Input(message) => Error::input(format!("{}: {message}", path.display())),
-            other => other,
-        })?,
+        Some(path) => scenario::read(path)?.finish()?,
         None => scenario::parse("scenarios/paper.toml", PAPER)?.finish()?,
+    };
+    let of_file = |message: String| match &args.scenario {
+        Some(path) => Error::input(format!("{}: {message}", path.display())),
+        None => Error::input(message),
     };
     let Scenario { title, .. } = &scenario;
     let params = scenario.params().ok_or_else(|| {
-        Error::input(format!(
+        of_file(format!(
             "protocol: `{}`: expected `coverage`, the protocol of the paper's listings",
             scenario.protocol.name()
         ))
     })?;
     if scenario.count() > MAX_DRONES {
-        return Err(Error::input(format!(
-            "drones: `{}`: expected at most {MAX_DRONES} in a PVS theory",
-            scenario.count()
+        let count = scenario.count();
+        return Err(of_file(format!(
+            "drones: `{count}`: expected at most {MAX_DRONES} in a PVS theory"
         )));
     }
     Ok(Instance { title: title.clone(), params, initial: scenario.initial() })

@@ -7,7 +7,7 @@ use super::refute::{choice_text, choices_json};
 use super::show::constants_text;
 use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::system::System;
-use cordon_core::{Evidence, Outcome, Result};
+use cordon_core::{Evidence, Outcome, Result, progress};
 use cordon_proof::claims::converge::{self, Contraction, Growth, Unfixed};
 use cordon_proof::claims::pinned;
 use cordon_proof::counterexample::list;
@@ -17,6 +17,7 @@ use cordon_proof::counterexample::list;
 /// # Errors
 /// The checker rejects what was found, or a certificate cannot be written.
 pub(super) fn convergence(system: &System, page: &mut Page<'_>) -> Result<(Outcome, Value)> {
+    progress::tries("whether it converges");
     let (outcome, mut field, certificate) = if let Some(found) = converge::contraction(system)? {
         converges(system, &found, page)?;
         let rate = fraction(&found.rate);

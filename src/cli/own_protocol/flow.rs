@@ -12,7 +12,7 @@ use crate::cli::select::OutputFormat;
 use crate::cli::table::counted;
 use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::system::{Flow, Switching};
-use cordon_core::{Evidence, Outcome, Result};
+use cordon_core::{Evidence, Outcome, Result, progress};
 use cordon_proof::flow::{self, Answer};
 use cordon_run::protocol::ProtocolFile;
 
@@ -28,6 +28,7 @@ pub fn prove(
     format: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<Outcome> {
+    progress::tries("ellipsoids that no run leaves");
     let found = flow::prove(flow)?;
     let claim = |index: usize| {
         flow.system.claims.get(index).map_or("", |claim| claim.predicate.text.as_str())

@@ -59,16 +59,14 @@ impl ProtocolArgs {
         let Some(path) = &self.protocol else { return Ok(None) };
         let file = opened(path)?;
         let system = self.sized(&file, self.agents.unwrap_or(file.agents.fewest()))?;
-        expect_claim(path, &system)?;
+        expect_claim(&file, &system)?;
         if claims::is_vacuous(&system) {
-            let assumptions = match file.has_start() {
-                true => "the assumptions",
-                false => "the claims, which are assumed where `start` is left out",
+            let (key, assumptions) = match file.has_start() {
+                true => ("start", "the assumptions"),
+                false => ("claims", "the claims, which are assumed where `start` is left out"),
             };
-            return Err(Error::input(format!(
-                "{}: start: no start meets {assumptions}: expected one that does",
-                path.display()
-            )));
+            let message = format!("no start meets {assumptions}: expected one that does");
+            return Err(file.error(key, &message));
         }
         Ok(Some((file, system)))
     }
@@ -85,7 +83,7 @@ impl ProtocolArgs {
         }
         let mut flow = file.flow(self.agents.unwrap_or(file.agents.fewest()))?;
         self.narrow(&mut flow.system.parameters)?;
-        expect_claim(path, &flow.system)?;
+        expect_claim(&file, &flow.system)?;
         Ok(Some((file, flow)))
     }
 
@@ -144,9 +142,7 @@ impl ProtocolArgs {
             return Err(Error::input(format!("steps: `{last}`: expected less than {most}")));
         }
         if system.claims.is_empty() {
-            return Err(Error::input(
-                "steps: expected `claims` in the protocol file: it has `converges` only",
-            ));
+            return Err(self.misses("claims", "`claims`: it has `converges` only"));
         }
         system.claims.retain(|claim| claim.from <= last);
         if system.claims.is_empty() {
@@ -174,6 +170,11 @@ impl ProtocolArgs {
         let mut parameters = file.parameters()?;
         self.narrow(&mut parameters)?;
         file.family(&parameters).map(Some)
+    }
+
+    /// The error where the file does not have a key that a command is about.
+    fn misses(&self, key: &str, expected: &str) -> Error {
+        Error::input(format!("{}: {key}: none: expected {expected}", self.path().display()))
     }
 
     fn path(&self) -> &Path {
@@ -218,12 +219,9 @@ fn opened(path: &Path) -> Result<ProtocolFile> {
 }
 
 /// A file without claims can be run; there is nothing in it to decide.
-fn expect_claim(path: &Path, system: &System) -> Result<()> {
+fn expect_claim(file: &ProtocolFile, system: &System) -> Result<()> {
     match system.claims.is_empty() && system.converges.is_none() {
-        true => Err(Error::input(format!(
-            "{}: no claim: expected `claims` or `converges`",
-            path.display()
-        ))),
+        true => Err(file.error("claims", "none: expected `claims` or `converges`")),
         false => Ok(()),
     }
 }

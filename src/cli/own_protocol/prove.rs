@@ -14,7 +14,7 @@ use super::show::claimed_steps;
 use crate::cli::select::OutputFormat;
 use crate::cli::table::counted;
 use cordon_core::system::System;
-use cordon_core::{Evidence, Outcome, Result};
+use cordon_core::{Evidence, Outcome, Result, progress};
 use cordon_proof::claims::certificate::certified;
 use cordon_proof::claims::{self, Proved, Unproved};
 use cordon_run::protocol::ProtocolFile;
@@ -45,6 +45,7 @@ fn proved_on(
     page: &mut Page<'_>,
 ) -> Result<Outcome> {
     let mut outcome = Outcome::Holds;
+    progress::tries("a proof for every number of agents");
     let for_every = args.family(file)?.map(every_number).transpose()?;
     if let Some(found) = &for_every {
         every_number::say(system, found, page)?;
@@ -80,6 +81,7 @@ fn proved_on(
 
 /// Proves the claims, or refutes them, or says that it can do neither; with what goes into the page.
 fn decided(args: &ProtocolArgs, system: &System, page: &mut Page<'_>) -> Result<(Outcome, Value)> {
+    progress::tries(format!("an invariant for {}", counted(system.agents, "agent")));
     let (known, reason) = match claims::prove_within(system, &claims::PROOF) {
         Ok(found) => match certified(&found)? {
             Ok(certificate) => return Ok((Outcome::Holds, proved(&found, &certificate, page)?)),
@@ -135,6 +137,7 @@ fn refuted_above(
 ) -> Result<Option<(ProtocolArgs, System)>> {
     let search = Search::default();
     for agents in fewest + 1..=fewest + MORE_AGENTS {
+        progress::tries(format!("a counterexample with {agents} agents"));
         let system = args.sized(file, agents)?;
         let constants = constants_of(&system, search.denominators)?;
         if claims::refute(&system, &constants, None, search.steps).0.is_some() {

@@ -13,7 +13,7 @@ use crate::cli::select::OutputFormat;
 use crate::cli::table;
 use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::system::{Parameter, ParameterKind, System};
-use cordon_core::{Error, Evidence, Outcome, Rational, Result};
+use cordon_core::{Error, Evidence, Outcome, Rational, Result, progress};
 use cordon_proof::certificate;
 use cordon_proof::claims::certificate::counterexample as sealed;
 use cordon_proof::claims::search::Choice;
@@ -59,9 +59,7 @@ pub fn refute(
     out: &mut dyn Write,
 ) -> Result<Outcome> {
     if system.claims.is_empty() {
-        return Err(Error::input(
-            "claims: none in the protocol file: expected `claims`, or `cordon prove`, which judges convergence",
-        ));
+        return Err(args.misses("claims", "`claims`, or `cordon prove`, which judges convergence"));
     }
     // What is wrong with the flags is said before anything else.
     constants_of(system, search.denominators)?;
@@ -102,6 +100,7 @@ pub fn refuted_claims(
 ) -> Result<(Outcome, Value)> {
     let constants = constants_of(system, search.denominators)?;
     let start = search.start.as_deref().map(|x| assumed(system, x)).transpose()?;
+    progress::tries(format!("a counterexample up to step {}", search.steps));
     let (found, complete) = claims::refute(system, &constants, start.as_deref(), search.steps);
     let found = found.or_else(|| search.known.clone());
     let file = match (&found, &search.file) {

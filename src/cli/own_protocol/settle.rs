@@ -10,9 +10,9 @@ use super::page::Page;
 use super::show::headline;
 use super::{ProtocolArgs, assumed};
 use crate::cli::select::OutputFormat;
-use cordon_core::exact::{decimal_string, fraction};
+use cordon_core::exact::{decimal_string, fraction, shortened};
 use cordon_core::system::{Convergence, System};
-use cordon_core::{Error, Evidence, Outcome, Rational, Result};
+use cordon_core::{Error, Evidence, Outcome, Rational, Result, progress};
 use cordon_proof::claims::converge;
 use cordon_proof::claims::settle::settles;
 
@@ -30,14 +30,13 @@ pub fn settle(
     out: &mut dyn Write,
 ) -> Result<Outcome> {
     if system.converges.is_none() {
-        return Err(Error::input(
-            "converges: is missing in the protocol file: expected `agreement` or `target`",
-        ));
+        return Err(args.misses("converges", "`agreement` or `target`"));
     }
     if *within <= Rational::default() {
         return Err(Error::input(format!("within: `{within}`: expected a positive distance")));
     }
     let state = start.map(|x| assumed(system, x)).transpose()?;
+    progress::tries("a form that falls in every step");
     let found = converge::contraction(system)?;
     let step = found.as_ref().and_then(|c| settles(system, c, state.as_deref(), within));
     let mut page = Page::new(args, system, folder, format, out);
@@ -51,7 +50,8 @@ pub fn settle(
     match (&found, step) {
         (Some(c), Some(step)) => {
             page.line(format_args!(
-                "  every agent within {distance} of {of} from step {step} on, from {from}"
+                "  every agent within {} of {of} from step {step} on, from {from}",
+                shortened(&distance)
             ))?;
             page.line(format_args!(
                 "  {}: the root of a quadratic form falls to at most {} ({}) of what it was in every {}; the true step may be earlier",

@@ -10,8 +10,9 @@ use super::refute::{as_json, replay_line};
 use super::show::{constants_text, constants_tried, when};
 use crate::cli::select::OutputFormat;
 use crate::cli::table::counted;
+use cordon_core::exact::shortened;
 use cordon_core::system::System;
-use cordon_core::{Error, Evidence, Outcome, Result};
+use cordon_core::{Evidence, Outcome, Result, progress};
 use cordon_proof::claims::sweep::{Tried, on_grid};
 use cordon_proof::claims::{self, Run};
 
@@ -50,7 +51,7 @@ pub fn sweep(
     out: &mut dyn Write,
 ) -> Result<Outcome> {
     if system.claims.is_empty() {
-        return Err(Error::input("claims: none in the protocol file: expected `claims`"));
+        return Err(args.misses("claims", "`claims`, or `cordon prove`, which judges convergence"));
     }
     let constants = claims::constants_up_to(system, extent.denominators);
     let tried = match extent.grid {
@@ -61,6 +62,7 @@ pub fn sweep(
     page.headline(system)?;
     let mut rows = Vec::new();
     for (text, indices) in system.written_claims() {
+        progress::tries(format!("claim `{}`", shortened(text)));
         let mut one = system.clone();
         one.claims = indices.iter().filter_map(|&j| system.claims.get(j).cloned()).collect();
         let (run, steps) = match &tried {

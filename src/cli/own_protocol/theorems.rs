@@ -11,8 +11,9 @@ use super::refute::{Search, as_json, constants_of, replay_line};
 use super::show::{constants_text, headline, when};
 use crate::cli::select::OutputFormat;
 use crate::cli::table::counted;
+use cordon_core::exact::shortened;
 use cordon_core::system::{Convergence, System};
-use cordon_core::{Evidence, Outcome, Result};
+use cordon_core::{Evidence, Outcome, Result, progress};
 use cordon_proof::claims::certificate::certified;
 use cordon_proof::claims::threshold::{self, Property, decided};
 use cordon_proof::claims::{self, Run, Unproved};
@@ -125,6 +126,7 @@ fn known(args: &ProtocolArgs, file: &ProtocolFile, system: &System) -> Result<Ve
                 all.push(Known::EveryNumber);
                 continue;
             }
+            progress::tries(format!("claim `{}`", shortened(claim)));
             let mut one = system.clone();
             one.claims = indices.iter().filter_map(|&j| system.claims.get(j).cloned()).collect();
             let (proved, failure) = match claims::prove_within(&one, &claims::PROOF) {
@@ -149,6 +151,7 @@ fn known(args: &ProtocolArgs, file: &ProtocolFile, system: &System) -> Result<Ve
         }
     }
     if system.converges.is_some() {
+        progress::tries("whether it converges");
         let found = decided(system, Property::Convergence, &mut 0)?;
         all.push(match found.known {
             threshold::Known::Holds => Known::Certified,

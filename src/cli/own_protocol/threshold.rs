@@ -3,14 +3,14 @@
 use std::io::Write;
 use std::path::Path;
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::ProtocolArgs;
 use super::page::Page;
 use crate::cli::select::OutputFormat;
 use cordon_core::exact::{decimal_string, fraction};
 use cordon_core::system::{Parameter, ParameterKind, System};
-use cordon_core::{Error, Evidence, Outcome, Result};
+use cordon_core::{Error, Evidence, Outcome, Rational, Result};
 use cordon_proof::claims::threshold::{Bracket, Known, Property, WORK, critical};
 
 /// What is asked for.
@@ -43,9 +43,7 @@ pub fn threshold(
         Property::Convergence => (system.converges.is_none(), "converges"),
     };
     if missing {
-        return Err(Error::input(format!(
-            "{expected}: none in the protocol file: expected `{expected}`"
-        )));
+        return Err(args.misses(expected, &format!("`{expected}` for this property")));
     }
     let ranges = |p: &&Parameter| p.kind == ParameterKind::Constant && p.fixed().is_none();
     let names: Vec<&str> =
@@ -91,9 +89,8 @@ pub fn threshold(
         }
         None => {
             let [low, high] = ends.map(|known| match known {
-                Known::Holds => "holds",
-                Known::Fails => "fails",
                 Known::Open => "is open",
+                known => word(known),
             });
             page.line(format_args!(
                 "  no bracket: it {low} at the lower end of {wanted} and {high} at the upper end"
@@ -110,6 +107,7 @@ pub fn threshold(
             },
             "holds": found.as_ref().map(|b| fraction(&b.holds)),
             "fails": found.as_ref().map(|b| fraction(&b.fails)),
+            "ends": ends_json(system, index, ends),
             "used_up": found.as_ref().is_some_and(|b| b.used_up),
             "open": found.as_ref().and_then(|b| b.open.as_ref()).map(fraction),
             "files": files,
@@ -120,6 +118,22 @@ pub fn threshold(
         Some(Bracket { open: None, used_up: false, .. }) => Outcome::Holds,
         _ => Outcome::Inconclusive,
     })
+}
+
+/// What is known, in a word.
+fn word(known: Known) -> &'static str {
+    match known {
+        Known::Holds => "holds",
+        Known::Fails => "fails",
+        Known::Open => "open",
+    }
+}
+
+/// Both ends of the range, and what is known there.
+fn ends_json(system: &System, index: usize, known: [Known; 2]) -> Value {
+    let end = |x: &Rational, known| json!({ "value": fraction(x), "known": word(known) });
+    let range = system.parameters.get(index);
+    json!(range.map(|p| [end(&p.low, known[0]), end(&p.high, known[1])]))
 }
 
 fn bracketed(

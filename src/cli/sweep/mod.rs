@@ -40,8 +40,7 @@ Examples:
   cordon sweep --form paper                       as printed: where do they fail?
   cordon sweep 7.2,7.3 --complete --drones 3..12  from all real starts
   cordon sweep 7.8 --shard 1/4 --out part-1.jsonl one part of four, which goes on after a crash
-  cordon sweep --protocol FILE --grid 4           the claims of a protocol of your own (--complete: from
-                                                  all real starts)
+  cordon sweep --protocol FILE --grid 4           the claims of a protocol of your own
   cordon sweep merge part-*.jsonl --audit 5       the parts together, five items recomputed
   cordon sweep 7.2 --drones 3..8 --submit slurm --shards 64 --out big
                                                   as a job array of Slurm, and its merge

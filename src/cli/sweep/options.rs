@@ -141,6 +141,9 @@ impl Options {
         if self.grid == 0 {
             return Err(Error::input("grid: `0`: expected at least 1"));
         }
+        if self.max_denominator == 0 {
+            return Err(Error::input("max-denominator: `0`: expected at least 1"));
+        }
         if self.steps > MOST_OWN_STEPS {
             return Err(Error::input(format!(
                 "steps: `{}`: expected at most {MOST_OWN_STEPS} with --protocol",

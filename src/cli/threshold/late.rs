@@ -44,7 +44,7 @@ pub(super) fn run(args: &Args, drones: &str, delay: &str, out: &mut dyn Write) -
     let mut found = Vec::new();
     for &(count, longest) in &cells {
         let Some(bracket) = bracket(count, longest, digits, WORK)? else {
-            return super::not_found(out);
+            return super::not_found(args, count, out);
         };
         found.push(bracket);
         progress::advance(1);

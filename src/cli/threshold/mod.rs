@@ -189,7 +189,7 @@ fn own(args: &Args, system: &System, out: &mut dyn Write) -> Result<Outcome> {
 
 fn keep(args: &Args, cone: Cone, out: &mut dyn Write) -> Result<Outcome> {
     let Some(found) = safety::critical(cone, args.drones(), args.digits()) else {
-        return not_found(out);
+        return not_found(args, args.drones(), out);
     };
     let mut certificates = Vec::new();
     for (side, eps) in [("at-0", &num_traits::Zero::zero()), ("below", &found.critical)] {
@@ -285,7 +285,7 @@ fn converge(args: &Args, out: &mut dyn Write) -> Result<Outcome> {
     let found = convergence::bracket(args.drones(), args.digits());
     progress::advance(2);
     let Some(found) = found else {
-        return not_found(out);
+        return not_found(args, args.drones(), out);
     };
     let w = &found.vector.weights;
     let certificates = [
@@ -385,7 +385,23 @@ fn list_files(args: &Args, files: &[String], out: &mut dyn Write) -> Result<()> 
     }
 }
 
-fn not_found(out: &mut dyn Write) -> Result<Outcome> {
-    writeln!(out, "inconclusive: no bracket was found")?;
+/// Says that there is no bracket.
+fn not_found(args: &Args, drones: usize, out: &mut dyn Write) -> Result<Outcome> {
+    match args.format {
+        OutputFormat::Text => writeln!(out, "inconclusive: no bracket was found")?,
+        OutputFormat::Json => {
+            let page = json!({
+                "schema": "cordon-threshold/1",
+                "property": args.property().name(),
+                "drones": drones,
+                "critical": null,
+                "exact": false,
+                "below": null,
+                "above": null,
+                "files": [],
+            });
+            writeln!(out, "{page:#}")?;
+        }
+    }
     Ok(Outcome::Inconclusive)
 }

@@ -51,7 +51,7 @@ fn mistakes_are_named_with_file_line_column_and_key() {
         ),
         (
             good.replace("x0 < x1", "2 < 1"),
-            "start: no start meets the claims, which are assumed where",
+            "p.toml:3:10: claims: no start meets the claims, which are assumed where",
         ),
         (rule("x +"), "p.toml:7:11: rules.all: expected a number, a name or `(`, found the end"),
         (
@@ -63,7 +63,7 @@ fn mistakes_are_named_with_file_line_column_and_key() {
             good.replace("all =", "7 ="),
             "p.toml:7:1: rules.7: expected `all`, `first`, `inner`, `last` or an agent",
         ),
-        (good.replace("all =", "first ="), "rules: agent 1 has no rule"),
+        (good.replace("all =", "first ="), "p.toml:6:1: rules: agent 1 has no rule"),
         (
             good.replace("x0 < x1", "x0 < x2"),
             "p.toml:3:17: claims: `2` is not an agent: expected 0 to 1",
@@ -75,7 +75,10 @@ fn mistakes_are_named_with_file_line_column_and_key() {
             "claims: expected `<`, `<=`, `=`, `>=` or `>`, found the end",
         ),
         (good.replace("x0 < x1", "x0 < 1/0"), "claims: a division by zero"),
-        (good.replace("[\"x0 < x1\"]", "[]"), "no claim: expected `claims` or `converges`"),
+        (
+            good.replace("[\"x0 < x1\"]", "[]"),
+            "p.toml:3:10: claims: none: expected `claims` or `converges`",
+        ),
         (good.replace("rules", "rulez"), "unknown field `rulez`"),
         (good.replace("x0 < x1", "x0 < x0"), "no start meets the claims, which are assumed"),
         (good.replace("x0 < x1", &"(".repeat(500)), "claims: is nested too deeply"),
@@ -93,7 +96,7 @@ fn mistakes_are_named_with_file_line_column_and_key() {
                 "claims = [\"x0 < x1\"]",
                 "start = [\"x0 < x1\"]\nconverges = \"agreement\"",
             ),
-            "claims: none in the protocol file",
+            "p.toml: claims: none: expected `claims`",
         ),
     ];
     for (text, expected) in &cases {

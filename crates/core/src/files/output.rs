@@ -82,9 +82,36 @@ pub fn expect_writable(path: &Path) -> Result<()> {
     let fail = |e| Error::file("write", path, e);
     match fs::metadata(path) {
         Ok(meta) if meta.is_file() => target(path).map(|_| ()).map_err(fail),
-        Ok(meta) if meta.is_dir() => Err(fail(io::ErrorKind::IsADirectory.into())),
-        _ => Ok(()),
+        Ok(meta) if meta.is_dir() => {
+            let message = "a folder: expected a file";
+            Err(fail(io::Error::new(io::ErrorKind::IsADirectory, message)))
+        }
+        Ok(_) => Ok(()),
+        Err(_) => {
+            let at = followed(path).map_err(fail)?;
+            temporary_beside(&at).map(drop).map_err(fail)
+        }
     }
+}
+
+/// Refuses a folder into which no files can be written, before work is spent on them. Where there is none,
+/// it can be made.
+///
+/// # Errors
+/// It, or what it would be made in, is a file, or not writable by this user.
+pub fn expect_folder(path: &Path) -> Result<()> {
+    let fail = |e| Error::file("write to", path, e);
+    let stands = |p: &&Path| !p.as_os_str().is_empty() && fs::symlink_metadata(p).is_ok();
+    let nearest = path.ancestors().find(stands).unwrap_or(Path::new("."));
+    if nearest.is_dir() {
+        return temporary_beside(&nearest.join("new")).map(drop).map_err(fail);
+    }
+    let kind = if nearest.is_file() { "a file" } else { "no folder" };
+    let message = match nearest == path {
+        true => format!("{kind}: expected a folder, or a name for a new one"),
+        false => format!("`{}` is {kind}: expected a folder", nearest.display()),
+    };
+    Err(fail(io::Error::new(io::ErrorKind::NotADirectory, message)))
 }
 
 /// Whether a name stands for this program's stdout: `-`, `/dev/stdout`, or what stdout is

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::collision::{Event, EventKind};
 use crate::record::{Flown, Height, Record, Series, Setup, Track};
 use cordon_core::exact;
+use cordon_core::files::kind;
 use cordon_core::fingerprint::Fingerprint;
 use cordon_core::{Error, Result};
 
@@ -256,6 +257,9 @@ fn event_page(e: &Event) -> EventPage {
 /// Parses the output of [`json`]. `name` stands for the file in messages.
 pub(super) fn parse(name: &str, text: &str) -> Result<Record> {
     let fail = |what: String| Error::input(format!("`{name}`: {what}"));
+    if let Some(kind) = kind::no_json(text) {
+        return Err(fail(format!("{kind}: expected a whole run, schema {SCHEMA}")));
+    }
     let page: Page = serde_json::from_str(text)
         .map_err(|e| fail(format!("{e}: expected a whole run, schema {SCHEMA}")))?;
     if page.schema != SCHEMA {

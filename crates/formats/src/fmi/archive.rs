@@ -135,6 +135,11 @@ pub(crate) fn opened(path: &Path) -> Result<Archive> {
     let outer = path.ancestors().skip(1).find(|a| a.is_file());
     let (Some(outer), false) = (outer, path.is_file()) else {
         let file = File::open(path).map_err(|e| Error::file("read", path, e))?;
+        if file.metadata().is_ok_and(|found| found.is_dir()) {
+            let message = format!("a folder: expected {}", expected(path));
+            let is_folder = std::io::Error::new(std::io::ErrorKind::IsADirectory, message);
+            return Err(Error::file("read", path, is_folder));
+        }
         files::is_input(path);
         return archive(path, Box::new(BufReader::new(file)));
     };
@@ -147,12 +152,25 @@ pub(crate) fn opened(path: &Path) -> Result<Archive> {
     archive(path, Box::new(Cursor::new(bytes)))
 }
 
-fn archive(path: &Path, stored: Box<dyn Stored>) -> Result<Archive> {
-    let fail = |what: String| Error::input(format!("`{}`: {what}", path.display()));
+/// The kind of archive that a name promises.
+fn expected(path: &Path) -> &'static str {
     let is_system = path.extension().is_some_and(|e| e == "ssp");
-    let what = if is_system { "an SSP archive" } else { "an FMU" };
-    let archive = ZipArchive::new(stored)
-        .map_err(|e| fail(format!("expected {what}, a whole zip archive: {e}")))?;
+    if is_system { "an SSP archive" } else { "an FMU" }
+}
+
+fn archive(path: &Path, mut stored: Box<dyn Stored>) -> Result<Archive> {
+    let fail = |what: String| Error::input(format!("`{}`: {what}", path.display()));
+    let what = expected(path);
+    let mut first = [0; 2];
+    let is_empty = stored.read_exact(&mut first).is_err();
+    let archive = stored.rewind().map_err(Into::into).and_then(|()| ZipArchive::new(stored));
+    let archive = archive.map_err(|e| {
+        fail(match (is_empty, &first) {
+            (true, _) => format!("empty: expected {what}, a whole zip archive"),
+            (false, b"PK") => format!("expected {what}, a whole zip archive: {e}"),
+            (false, _) => format!("no zip archive: expected {what}, a whole zip archive"),
+        })
+    })?;
     if archive.len() > MOST_FILES {
         let found = archive.len();
         return Err(fail(format!("it has {found} files: expected at most {MOST_FILES}")));

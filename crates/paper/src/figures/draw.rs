@@ -147,7 +147,10 @@ impl Plot {
 
 /// A text escaped for XML.
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+    cordon_core::text::one_line(text)
+        .replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
 }
 
 /// A number on an axis, without trailing zeros.

@@ -5,9 +5,10 @@ use serde_json::Value;
 
 use super::certificate::{certified, counterexample, within_limits};
 use super::{PROOF, Unproved, constants_up_to, converge, prove_with, refute_with};
+use cordon_core::exact::{fraction, shortened};
 use cordon_core::linear::simplest::strictly_between;
 use cordon_core::system::System;
-use cordon_core::{Error, Rational, Result};
+use cordon_core::{Error, Rational, Result, progress};
 
 /// Which property is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -145,6 +146,7 @@ pub fn critical(
 ) -> Result<(Option<Bracket>, [Known; 2])> {
     let Some(p) = system.parameters.get(parameter) else { return Ok((None, [Known::Open; 2])) };
     let mut at = |value: &Rational| {
+        progress::tries(format!("{} = {}", p.name, shortened(&fraction(value))));
         let found = decided(&with(system, parameter, value), property, &mut work)?;
         Ok::<_, Error>((found, work == 0))
     };

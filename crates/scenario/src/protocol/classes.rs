@@ -76,7 +76,7 @@ impl ProtocolFile {
         links: &Links,
     ) -> Reading {
         let doc = &self.document;
-        let departs = doc.departures.skip
+        let departs = doc.departures.skips()
             || doc.departures.loss.is_some()
             || doc.departures.delay.as_ref().is_some_and(|d| *d.get_ref() > 0);
         if departs || !doc.modes.is_empty() {

@@ -50,8 +50,7 @@ pub(super) type RuleTable = BTreeMap<Spanned<String>, Spanned<Value>>;
 #[serde(deny_unknown_fields)]
 pub(super) struct Departures {
     /// Any agents keep their state in a step.
-    #[serde(default)]
-    pub skip: bool,
+    pub skip: Option<Spanned<bool>>,
     /// Any links fail in a step.
     pub loss: Option<Spanned<String>>,
     /// A message is up to so many steps old.
@@ -65,6 +64,13 @@ pub enum Agents {
     Exactly(usize),
     /// So many, or any number above.
     From(usize),
+}
+
+impl Departures {
+    /// Whether any agents may keep their state in a step.
+    pub fn skips(&self) -> bool {
+        self.skip.as_ref().is_some_and(|skip| *skip.get_ref())
+    }
 }
 
 impl Agents {
@@ -152,9 +158,8 @@ impl Document {
             if let Some(delay) = &departures.delay {
                 return refuse(delay.span(), "departures.delay: expected none in continuous time");
             }
-            if departures.skip {
-                let message = "departures.skip: expected none in continuous time";
-                return Err(Error::input(format!("{}: {message}", source.name)));
+            if let Some(skip) = departures.skip.as_ref().filter(|skip| *skip.get_ref()) {
+                return refuse(skip.span(), "departures.skip: expected none in continuous time");
             }
         } else if let Some(key) = self.every.as_ref().or(self.dwell.as_ref()) {
             return refuse(
@@ -198,7 +203,10 @@ impl Document {
 
     pub fn agents(&self, source: &Source<'_>) -> Result<Agents> {
         let Some(value) = &self.agents else {
-            return Err(Error::input(format!("{}: expected a key `agents`", source.name)));
+            return Err(Error::input(format!(
+                "{}: agents: is missing: expected their number, or `\"3..\"` for every number from 3 on",
+                source.name
+            )));
         };
         let fail = |given: &str| {
             let message = format!(

@@ -11,13 +11,16 @@ mod rules;
 
 use std::path::Path;
 
-use cordon_core::files::{self, Limit};
+use toml::{Spanned, Value};
+
+use cordon_core::files::Limit;
 use cordon_core::system::{
     Convergence, Flow, MOST_VARIABLES, Parameter, Schedule, System, Variable,
 };
 use cordon_core::{Error, Result};
 
-use crate::scenario::document::document;
+use crate::scenario::Places;
+use crate::scenario::document::{document, is_title, written};
 use crate::scenario::file::Source;
 pub use classes::{Family, FamilyClaim};
 pub use document::Agents;
@@ -30,6 +33,7 @@ pub struct ProtocolFile {
     name: String,
     text: String,
     document: Document,
+    places: Places,
     /// How many agents it speaks of.
     pub agents: Agents,
     /// Whether it is of continuous time.
@@ -42,7 +46,7 @@ pub struct ProtocolFile {
 /// The file cannot be read, is no TOML, or has an unknown key: the message has file, line, column
 /// and key.
 pub fn read(path: &Path) -> Result<ProtocolFile> {
-    parse(&path.display().to_string(), &files::read_text(path, Limit::PROTOCOL)?)
+    parse(&path.display().to_string(), &written(path, Limit::PROTOCOL)?)
 }
 
 /// Reads a protocol from text; `name` stands for the file in messages.
@@ -51,15 +55,49 @@ pub fn read(path: &Path) -> Result<ProtocolFile> {
 /// As for [`read`].
 pub fn parse(name: &str, text: &str) -> Result<ProtocolFile> {
     let source = Source { name, text };
-    let (document, _): (Document, _) = document(&source).map_err(with_present_keys)?;
+    let (document, places): (Document, _) = document(&source)
+        .map_err(|e| if is_scenario(text) { no_protocol(name) } else { with_present_keys(e) })?;
     document.refuse_other_formats(&source)?;
     let agents = document.agents(&source)?;
     let is_continuous = document.is_continuous(&source)?;
     let (name, text) = (name.to_owned(), text.to_owned());
-    Ok(ProtocolFile { name, text, document, agents, is_continuous })
+    Ok(ProtocolFile { name, text, document, places, agents, is_continuous })
+}
+
+/// Whether the text is a scenario.
+fn is_scenario(text: &str) -> bool {
+    const OF_SCENARIOS: [&str; 11] = [
+        "protocol",
+        "spread_to",
+        "period",
+        "phase",
+        "tau",
+        "steps",
+        "displacement",
+        "flight",
+        "fault",
+        "unit",
+        "min",
+    ];
+    let table = text.parse::<toml::Table>().unwrap_or_default();
+    let has = |keys: &[&str]| keys.iter().any(|key| table.contains_key(*key));
+    let placed = table.get("start").and_then(toml::Value::as_array);
+    let placed = placed.and_then(|list| list.first()).is_some_and(|x| !x.is_str());
+    (has(&OF_SCENARIOS) || placed) && !has(&["agents", "claims", "claim", "rules", "update"])
+}
+
+fn no_protocol(name: &str) -> Error {
+    Error::input(format!(
+        "{name}: a scenario: expected a protocol file, which has `agents` and `[rules]`"
+    ))
 }
 
 impl ProtocolFile {
+    /// An error about a key of the file, with its place; where the file does not have it, with the file's name.
+    pub fn error(&self, key: &str, message: &str) -> Error {
+        self.places.point(Error::input(format!("{key}: {message}")))
+    }
+
     /// The system with as many agents as the file names; of a range the fewest.
     ///
     /// # Errors
@@ -74,11 +112,11 @@ impl ProtocolFile {
     /// As for [`system`](Self::system); or the file does not allow that number, or is of continuous time.
     pub fn with_agents(&self, count: usize) -> Result<System> {
         if self.is_continuous {
-            return Err(Error::input(format!(
-                "{}: time: `continuous`: expected a protocol that acts in steps; `cordon prove` judges those in \
+            return Err(self.error(
+                "time",
+                "`continuous`: expected a protocol that acts in steps; `cordon prove` judges those in \
                  continuous time",
-                self.name
-            )));
+            ));
         }
         self.built(count)
     }
@@ -90,18 +128,18 @@ impl ProtocolFile {
     pub fn flow(&self, count: usize) -> Result<Flow> {
         let source = Source { name: &self.name, text: &self.text };
         if !self.is_continuous {
-            return Err(Error::input(format!("{}: expected `time = \"continuous\"`", self.name)));
+            return Err(self.error("time", "expected `continuous`"));
         }
         if let Some(to) = &self.document.converges {
             return Err(source.error(&to.span(), "converges: expected `claims` in continuous time"));
         }
         let switching = self.document.flow_switching(&source)?;
         let system = self.built(count)?;
-        if let Some(claim) = system.claims.iter().find(|c| c.from > 0 || c.until.is_some()) {
-            return Err(Error::input(format!(
-                "{}: claims: `{}`: expected no `from` and no `until` in continuous time",
-                self.name, claim.predicate.text
-            )));
+        if system.claims.iter().any(|c| c.from > 0 || c.until.is_some()) {
+            let about_steps = |claim: &&Spanned<Value>| claim.get_ref().is_table();
+            let place = self.document.claims.iter().find(about_steps).map_or(0..0, Spanned::span);
+            let message = "claims: expected no `from` and no `until` in continuous time";
+            return Err(source.error(&place, message));
         }
         Ok(Flow { system, switching })
     }
@@ -139,7 +177,7 @@ impl ProtocolFile {
             targets.extend(past);
         }
         Ok(System {
-            title: doc.title.clone().unwrap_or_else(|| self.name.clone()),
+            title: doc.title.clone().filter(is_title).unwrap_or_else(|| self.name.clone()),
             agents: count,
             variables,
             state: built.state,

@@ -1,25 +1,25 @@
 //! Rules by class of agents, made into the modes of a system.
 //!
-//! What an agent hears of another one goes through [`Heard`]: where links fail, its own value stands
-//! for what it does not hear, and where messages are late, any value of the last steps is heard. Whether
-//! a link works, how old a message is, and whether an agent acts at all are parameters between 0 and 1
-//! that are chosen anew in each step, so that every departure is a system of one kind.
+//! What an agent hears of another one is in [`heard`]. Whether a link works, how old a message is, and whether
+//! an agent acts at all are parameters between 0 and 1 that are chosen anew in each step, so that every
+//! departure is a system of one kind.
+
+mod heard;
 
 use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::ops::Range;
 
-use num_traits::{One, Zero};
 use toml::{Spanned, Value};
 
-use super::claims::{no_agent, numbered};
 use super::document::{Document, Loss, RuleTable};
-use super::links::{Links, Topology};
+use super::links::Links;
 use crate::scenario::file::Source;
 use cordon_core::scalar::Polynomial;
-use cordon_core::system::expression::{Expression, Meaning, SyntaxError};
-use cordon_core::system::{Mode, Parameter, ParameterKind, Variable, state_names};
-use cordon_core::{Error, Rational, Result};
+use cordon_core::system::expression::{Expression, SyntaxError};
+use cordon_core::system::{Mode, Parameter, Variable};
+use cordon_core::{Error, Result};
+use heard::{Layout, Names};
 
 /// A rule: an expression a state variable of an agent, with its place in the file.
 #[derive(Clone, Debug)]
@@ -82,7 +82,7 @@ impl<'s> Rules<'s> {
             links,
             modes: Vec::new(),
             cycle: None,
-            skip: doc.departures.skip,
+            skip: doc.departures.skips(),
             loss: doc.loss(source)?,
             delay: doc.delay(source)?,
             unnamed,
@@ -91,7 +91,8 @@ impl<'s> Rules<'s> {
         let empty = RuleTable::new();
         let base = base.unwrap_or(&empty);
         if doc.modes.is_empty() {
-            rules.modes.push(("step".to_owned(), rules.mode("rules", base, None)?));
+            let place = doc.rules.as_ref().map(Spanned::span);
+            rules.modes.push(("step".to_owned(), rules.mode("rules", place, base, None)?));
         }
         // In the order in which they are declared: the first acts in a run of which nothing else is said.
         let mut declared: Vec<_> = doc.modes.iter().collect();
@@ -104,7 +105,8 @@ impl<'s> Rules<'s> {
                 let message = format!("{field}: expected a name of letters and digits");
                 return Err(source.error(&name.span(), &message));
             }
-            rules.modes.push((name.get_ref().clone(), rules.mode(&field, base, Some(table))?));
+            let mode = rules.mode(&field, Some(name.span()), base, Some(table))?;
+            rules.modes.push((name.get_ref().clone(), mode));
         }
         if let Some(list) = &doc.switching {
             let place = |mode: &Spanned<String>| {
@@ -130,7 +132,13 @@ impl<'s> Rules<'s> {
 
     /// The rule of every agent: of the mode, else of the file; of the agent, else of its class, else
     /// of all.
-    fn mode(&self, field: &str, base: &RuleTable, over: Option<&RuleTable>) -> Result<Vec<Rule>> {
+    fn mode(
+        &self,
+        field: &str,
+        place: Option<Range<usize>>,
+        base: &RuleTable,
+        over: Option<&RuleTable>,
+    ) -> Result<Vec<Rule>> {
         let mut chosen: Vec<Option<(u8, Rule)>> = vec![None; self.count];
         let tables = [(base, "rules", 0)].into_iter().chain(over.map(|t| (t, field, 4)));
         for (table, field, rank) in tables {
@@ -148,14 +156,26 @@ impl<'s> Rules<'s> {
         let mut rules = Vec::new();
         for (i, rule) in chosen.into_iter().enumerate() {
             let Some((_, rule)) = rule else {
-                return Err(Error::input(format!(
-                    "{}: {field}: agent {i} has no rule: expected `all`, `inner` or `{i}`",
-                    self.source.name
-                )));
+                let class = self.class_of(i);
+                let message =
+                    format!("{field}: agent {i} has no rule: expected `all`, `{class}` or `{i}`");
+                return Err(match &place {
+                    Some(place) => self.source.error(place, &message),
+                    None => Error::input(format!("{}: {message}", self.source.name)),
+                });
             };
             rules.push(rule);
         }
         Ok(rules)
+    }
+
+    /// The key of the class that agent `i` is of.
+    fn class_of(&self, i: usize) -> &'static str {
+        match i {
+            0 => "first",
+            _ if i + 1 == self.count => "last",
+            _ => "inner",
+        }
     }
 
     /// The agents that a key of rules speaks of, and how particular it is.
@@ -235,9 +255,8 @@ impl<'s> Rules<'s> {
             let mut next = self.execute(rules, &layout, &ignored)?;
             next.extend(layout.past.iter().map(|p| p.next.clone()));
             let mode = Mode::read(name, &next, layout.state.len(), &layout.parameters);
-            modes.push(
-                mode.map_err(|e| Error::input(format!("{}: {name}: {e}", self.source.name)))?,
-            );
+            let place = rules.first().map_or(0..0, |rule| rule.place.clone());
+            modes.push(mode.map_err(|e| self.source.error(&place, &format!("{name}: {e}")))?);
         }
         Ok(Built {
             state: layout.state,
@@ -282,221 +301,6 @@ impl<'s> Rules<'s> {
             }
         }
         Ok(next)
-    }
-}
-
-/// A state variable that holds the past.
-struct Past {
-    /// The agent's variable that it repeats at rest.
-    source: usize,
-    /// What it becomes.
-    next: Polynomial,
-}
-
-/// Which indeterminate stands for what.
-struct Layout {
-    state: Vec<String>,
-    past: Vec<Past>,
-    parameters: Vec<Parameter>,
-    /// The parameter that says whether an agent acts, by agent.
-    acts: Vec<usize>,
-    /// The parameter that says whether a link works, by listener and speaker.
-    works: BTreeMap<(usize, usize), usize>,
-    /// The parameters that say that a message is older, by listener and speaker; one a step of age.
-    late: BTreeMap<(usize, usize), Vec<usize>>,
-    /// The places of a variable's past values, by the place of the variable.
-    before: BTreeMap<usize, Vec<usize>>,
-}
-
-impl Layout {
-    fn new(rules: &Rules<'_>, heard: &BTreeSet<(usize, usize)>) -> Self {
-        let per_agent = rules.variables.len();
-        let mut layout = Self {
-            state: state_names(rules.count, rules.variables),
-            past: Vec::new(),
-            parameters: rules.constants.clone(),
-            acts: Vec::new(),
-            works: BTreeMap::new(),
-            late: BTreeMap::new(),
-            before: BTreeMap::new(),
-        };
-        let speakers: BTreeSet<usize> = heard.iter().map(|(_, j)| *j).collect();
-        for place in speakers.iter().flat_map(|j| j * per_agent..(j + 1) * per_agent) {
-            let mut before = place;
-            for age in 1..=rules.delay {
-                let name =
-                    format!("{}ago{age}", layout.state.get(place).map_or("", String::as_str));
-                layout.before.entry(place).or_default().push(layout.state.len());
-                layout.past.push(Past { source: place, next: layout.symbol(before) });
-                before = layout.state.len();
-                layout.state.push(name);
-            }
-        }
-        if rules.skip && !heard.is_empty() {
-            layout.acts = (0..rules.count).map(|i| layout.choice(format!("acts{i}"))).collect();
-        }
-        for &(i, j) in heard {
-            match rules.loss {
-                None => {}
-                Some(Loss::OneSided) => {
-                    let p = layout.choice(format!("link{i}from{j}"));
-                    layout.works.insert((i, j), p);
-                }
-                Some(Loss::Symmetric) => {
-                    let p = match layout.works.get(&(j, i)) {
-                        Some(&p) => p,
-                        None => layout.choice(format!("link{}with{}", i.min(j), i.max(j))),
-                    };
-                    layout.works.insert((i, j), p);
-                }
-            }
-            let older =
-                (1..=rules.delay).map(|age| layout.choice(format!("late{age}at{i}from{j}")));
-            let older = older.collect::<Vec<_>>();
-            layout.late.insert((i, j), older);
-        }
-        layout
-    }
-
-    /// A parameter that is 0 or 1, anew in each step.
-    fn choice(&mut self, name: String) -> usize {
-        let (low, high) = (Rational::zero(), Rational::one());
-        self.parameters.push(Parameter { name, low, high, kind: ParameterKind::Choice });
-        self.parameters.len() - 1
-    }
-
-    fn symbol(&self, place: usize) -> Polynomial {
-        Polynomial::variable(u32::try_from(place).unwrap_or(u32::MAX))
-    }
-
-    fn parameter(&self, p: usize) -> Polynomial {
-        self.symbol(self.state.len() + p)
-    }
-}
-
-/// The names in the rule of agent `i`.
-struct Names<'r> {
-    rules: &'r Rules<'r>,
-    layout: &'r Layout,
-    heard: &'r RefCell<BTreeSet<(usize, usize)>>,
-    i: usize,
-    /// Within a sum, the neighbour and the weight of its link.
-    their: Option<(usize, &'r Rational)>,
-}
-
-impl Names<'_> {
-    fn variable(&self, name: &str) -> Option<usize> {
-        self.rules.variables.iter().position(|v| v.name == name)
-    }
-
-    fn own(&self, v: usize) -> Polynomial {
-        self.layout.symbol(self.i * self.rules.variables.len() + v)
-    }
-
-    /// What this agent hears of variable `v` of agent `j`.
-    fn of(&self, j: usize, v: usize) -> Polynomial {
-        if j == self.i {
-            return self.own(v);
-        }
-        let link = (self.i, j);
-        self.heard.borrow_mut().insert(link);
-        let place = j * self.rules.variables.len() + v;
-        // From the oldest on: each parameter chooses between one age and what is older.
-        let past = self.layout.before.get(&place).map_or(&[][..], Vec::as_slice);
-        let late = self.layout.late.get(&link).map_or(&[][..], Vec::as_slice);
-        let ages: Vec<Polynomial> =
-            [place].iter().chain(past).map(|&p| self.layout.symbol(p)).collect();
-        let mut said = ages.last().cloned().unwrap_or_default();
-        for (newer, &p) in ages.iter().zip(late).rev() {
-            let older = said - newer;
-            said = newer.clone() + &(self.layout.parameter(p) * &older);
-        }
-        match self.layout.works.get(&link) {
-            Some(&p) => {
-                let difference = said - &self.own(v);
-                self.own(v) + &(self.layout.parameter(p) * &difference)
-            }
-            None => said,
-        }
-    }
-
-    fn of_agent(&self, j: usize, name: &str) -> std::result::Result<Polynomial, String> {
-        match self.variable(name) {
-            Some(v) if j < self.rules.count => Ok(self.of(j, v)),
-            Some(_) => Err(no_agent(j, self.rules.count)),
-            None => Err(format!("`{name}` is not a state variable")),
-        }
-    }
-}
-
-impl Meaning for Names<'_> {
-    fn name(&self, name: &str) -> std::result::Result<Polynomial, String> {
-        let whole = |n: usize| Polynomial::constant(Rational::from_integer(n.into()));
-        if let Some(v) = self.variable(name) {
-            return Ok(self.own(v));
-        }
-        if let Some(p) = self.rules.constants.iter().position(|p| p.name == name) {
-            return Ok(self.layout.parameter(p));
-        }
-        match (name, self.their) {
-            ("N", _) => return Ok(whole(self.rules.count)),
-            ("i", _) => return Ok(whole(self.i)),
-            ("weight", Some((_, weight))) => return Ok(Polynomial::constant(weight.clone())),
-            _ => {}
-        }
-        match numbered(name) {
-            Some((letters, j)) if self.variable(letters).is_some() => self.of_agent(j, letters),
-            _ => Err(format!("`{name}` is not a state variable, parameter, `N` or `i`")),
-        }
-    }
-
-    fn member(&self, owner: &str, name: &str) -> std::result::Result<Polynomial, String> {
-        let step =
-            match owner {
-                "prev" => -1,
-                "next" => 1,
-                "their" => {
-                    return match self.their {
-                        Some((j, _)) => self.of_agent(j, name),
-                        None => Err("`their` is the neighbour within `sum(..)`: expected it there"
-                            .to_owned()),
-                    };
-                }
-                other => return Err(format!("`{other}.`: expected `prev`, `next` or `their`")),
-            };
-        match (self.rules.links.beside(self.i, step), self.rules.links.topology) {
-            (Some(j), _) => self.of_agent(j, name),
-            (None, Topology::Ring) => {
-                Err(format!("`{owner}`: expected a ring of two agents or more"))
-            }
-            (None, Topology::Line) => Err(format!(
-                "agent {} has no `{owner}`: expected a rule of its own for {}",
-                self.i,
-                if step < 0 { "`first`" } else { "`last`" }
-            )),
-            _ => Err(format!(
-                "`{owner}` is on a line or a ring: expected `topology = \"line\"` or `\"ring\"`"
-            )),
-        }
-    }
-
-    fn indexed(&self, name: &str, index: &Rational) -> std::result::Result<Polynomial, String> {
-        match usize::try_from(index.to_integer()) {
-            Ok(j) if index.is_integer() => self.of_agent(j, name),
-            _ => Err(no_agent(index, self.rules.count)),
-        }
-    }
-
-    fn sum(&self, inner: &Expression) -> std::result::Result<Polynomial, SyntaxError> {
-        if self.rules.links.topology == Topology::None {
-            let message = "`sum` is over neighbours: expected a key `topology`".to_owned();
-            return Err(SyntaxError { at: 0, message });
-        }
-        let heard = self.rules.links.heard.get(self.i).map_or(&[][..], Vec::as_slice);
-        heard.iter().try_fold(Polynomial::default(), |sum, (j, weight)| {
-            let names = Names { their: Some((*j, weight)), ..*self };
-            Ok(sum + &inner.value(&names)?)
-        })
     }
 }
 

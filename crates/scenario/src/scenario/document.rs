@@ -1,6 +1,7 @@
 //! TOML documents: numbers of any size exactly, errors with line, column and field.
 
 use std::ops::Range;
+use std::path::Path;
 
 use num_bigint::BigInt;
 use serde::de::DeserializeOwned;
@@ -9,7 +10,9 @@ use toml::de::{DeTable, DeValue};
 
 use super::Places;
 use super::file::Source;
-use cordon_core::Result;
+use cordon_core::files::{self, Limit};
+use cordon_core::text::is_harmful;
+use cordon_core::{Error, Result};
 
 /// Deserialises a document into `T`; also returns the location of its fields.
 ///
@@ -23,8 +26,10 @@ pub fn document<T: DeserializeOwned>(source: &Source<'_>) -> Result<(T, Places)>
     let read = |e: toml::de::Error| {
         source.error(&e.span().unwrap_or(0..0), &plain(e.message().trim_end()))
     };
+    refuse_hidden(source)?;
     let mut table = DeTable::parse(source.text).map_err(read)?;
     let places = places(table.get_ref());
+    refuse_escaped(source, "", table.get_ref())?;
     table.get_mut().iter_mut().for_each(|(_, value)| keep_digits(value.get_mut()));
     let read = T::deserialize(Deserializer::from(table)).map_err(|e| {
         let at = e.span().unwrap_or(0..0);
@@ -41,6 +46,74 @@ pub fn document<T: DeserializeOwned>(source: &Source<'_>) -> Result<(T, Places)>
     })?;
     let lines = places.into_iter().map(|(name, at)| (name, source.place(at.start)));
     Ok((read, Places::of(source.name, lines)))
+}
+
+/// Whether there is something in a title to show.
+pub fn is_title(title: &String) -> bool {
+    !title.trim().is_empty()
+}
+
+/// Reads a file in which a person has written TOML.
+///
+/// # Errors
+/// It cannot be read, or is no such file: empty, or of another kind.
+pub fn written(path: &Path, limit: Limit) -> Result<String> {
+    let text = files::read_text(path, limit)?;
+    match files::kind::foreign(&text) {
+        Some(kind) => {
+            let name = path.display();
+            Err(Error::input(format!("`{name}`: {kind}: expected {}, which is TOML", limit.what)))
+        }
+        None => Ok(text),
+    }
+}
+
+/// Refuses characters that are not shown, or turn the direction of what is, anywhere in the text.
+fn refuse_hidden(source: &Source<'_>) -> Result<()> {
+    // The end of a line may be written with a carriage return.
+    let hidden = |&(_, c): &(usize, char)| is_harmful(c) && c != '\r';
+    match source.text.char_indices().find(hidden) {
+        Some((at, c)) => Err(source.error(&(at..at), &not_shown(c))),
+        None => Ok(()),
+    }
+}
+
+/// As [`refuse_hidden`], where they are written as escapes, in names and values; and titles of several lines.
+fn refuse_escaped(source: &Source<'_>, prefix: &str, table: &DeTable<'_>) -> Result<()> {
+    table.iter().try_for_each(|(key, value)| {
+        let name = format!("{prefix}{}", key.get_ref());
+        if let Some(c) = key.get_ref().chars().find(|c| is_harmful(*c)) {
+            return Err(source.error(&key.span(), &format!("a key: {}", not_shown(c))));
+        }
+        if let ("title", DeValue::String(title)) = (name.as_str(), value.get_ref())
+            && title.contains(['\n', '\t'])
+        {
+            return Err(source.error(&value.span(), "title: expected one line without tabs"));
+        }
+        refuse_escaped_in(source, &name, value)
+    })
+}
+
+fn refuse_escaped_in(
+    source: &Source<'_>,
+    name: &str,
+    value: &toml::Spanned<DeValue<'_>>,
+) -> Result<()> {
+    match value.get_ref() {
+        DeValue::String(text) => {
+            match text.replace("\r\n", "\n").chars().find(|c| is_harmful(*c)) {
+                Some(c) => Err(source.error(&value.span(), &format!("{name}: {}", not_shown(c)))),
+                None => Ok(()),
+            }
+        }
+        DeValue::Array(list) => list.iter().try_for_each(|v| refuse_escaped_in(source, name, v)),
+        DeValue::Table(table) => refuse_escaped(source, &format!("{name}."), table),
+        _ => Ok(()),
+    }
+}
+
+fn not_shown(c: char) -> String {
+    format!("U+{:04X} is not shown as it stands: expected characters that are", u32::from(c))
 }
 
 /// Replaces numbers that no machine type holds by strings of their digits.

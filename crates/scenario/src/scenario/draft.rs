@@ -5,6 +5,7 @@ use std::path::Path;
 
 use cordon_spec::Phase;
 
+use super::document::is_title;
 use super::{Flight, MAX_DRONES, MIN_DRONES, Own, Places, Protocol, Scenario, Topology};
 use crate::protocol::{self, Agents};
 use cordon_core::exact::{Rational, shortened};
@@ -194,7 +195,7 @@ impl Draft {
             )));
         }
         Ok(Scenario {
-            title: self.title.unwrap_or(title),
+            title: self.title.filter(is_title).unwrap_or(title),
             protocol,
             start,
             weight,

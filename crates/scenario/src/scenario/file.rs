@@ -8,12 +8,12 @@ use cordon_spec::Phase;
 use serde::Deserialize;
 use toml::{Spanned, Value};
 
-use super::document::document;
+use super::document::{document, written};
 use super::draft::names_file;
 use super::flight_file::{self, FaultTable, FlightTable, UnitTable};
 use super::{Draft, Places, Start};
 use cordon_core::exact::{self, Rational};
-use cordon_core::files::{self, Limit};
+use cordon_core::files::Limit;
 use cordon_core::{Error, Result};
 
 /// A scenario file as written. Numbers keep their location, so that they can be read exactly from the
@@ -52,7 +52,7 @@ struct Document {
 /// The file cannot be read, is not TOML, has an unknown key or a value of the wrong type: the message
 /// has file, line and column.
 pub fn read(path: &Path) -> Result<Draft> {
-    parse(&path.display().to_string(), &files::read_text(path, Limit::SCENARIO)?)
+    parse(&path.display().to_string(), &written(path, Limit::SCENARIO)?)
 }
 
 /// Whether the text is a protocol file.
@@ -62,7 +62,9 @@ fn is_protocol(text: &str) -> bool {
 }
 
 fn no_scenario(name: &str) -> Error {
-    Error::input(format!("{name}: a protocol file: expected a scenario, or --protocol {name}"))
+    Error::input(format!(
+        "{name}: a protocol file: expected a scenario, or --protocol {name} where the command has it"
+    ))
 }
 
 /// Reads a scenario from text; `name` stands for the file in messages.

@@ -6,7 +6,7 @@ use cordon_spec::Scalar;
 
 use crate::expr::Relation::{NonNegative, Positive, Zero};
 use crate::expr::{Literal, Sort, Vars, joined};
-use crate::fault::{Result, ensure};
+use crate::fault::{Result, ensure, fault};
 use crate::format::Definition;
 use crate::kernel::{Clause, Facts, Kernel};
 use crate::poly::{Atom, Poly};
@@ -27,25 +27,19 @@ impl Kernel {
             vars.push((self.fresh(argument, &vars)?, Sort::Integer));
         }
         // The last argument counts, from `start` on.
-        let (parameters, start, here) = match vars.split_last() {
-            None => {
-                let constant = d.base.is_empty() && d.from.is_empty();
-                ensure!(constant, RULE, "recursion without an argument");
-                (Vars::new(), Poly::default(), Poly::default())
-            }
-            Some((last, parameters)) => {
-                let start = self.signature.poly(&d.from, &none, false)?;
-                ensure!(self.signature.is_integer(&start, &none), RULE, "`from` is no integer");
-                (parameters.to_vec(), start, Poly::var(&last.0))
-            }
+        let Some((last, parameters)) = vars.split_last() else {
+            return fault(RULE, "recursion without an argument");
         };
+        let (parameters, here) = (parameters.to_vec(), Poly::var(&last.0));
+        let start = self.signature.poly(&d.from, &none, false)?;
+        ensure!(self.signature.is_integer(&start, &none), RULE, "`from` is no integer");
         let value = |at: &Poly, j: usize| {
             let mut terms: Vec<Poly> = parameters.iter().map(|(p, _)| Poly::var(p)).collect();
-            terms.extend(d.of.last().map(|_| at.clone() + &Poly::from_index(j)));
+            terms.push(at.clone() + &Poly::from_index(j));
             Poly::app(&name, &terms)
         };
         let from = Literal { poly: here.clone() - &start, relation: NonNegative };
-        let mut given: Facts = d.of.last().map(|_| ("from".into(), from)).into_iter().collect();
+        let mut given = Facts::from([("from".into(), from)]);
         let scale = self.signature.poly(d.scale.as_deref().unwrap_or("1"), &vars, false)?;
         if d.scale.is_some() {
             given.insert("scale".into(), Literal { poly: scale.clone(), relation: Positive });

@@ -1,6 +1,6 @@
 //! Whether a certificate is a proof, decided without the checker's help:
-//! * contraction, growth, invariance, quadratic and ellipsoid by formulas written out here, the last three on
-//!   forms whose coefficients are read off their values;
+//! * contraction, growth and ellipsoid by formulas written out here, the last on forms whose coefficients are read off
+//!   their values;
 //! * a refutation by running the protocol, written out here, and asking the theorem's predicates.
 
 use std::collections::BTreeMap;
@@ -27,8 +27,6 @@ pub fn is_proof(page: &Value) -> bool {
         "growth" => vector(body, |aw, w| aw >= w.clone()),
         "refutation" => refutation(body),
         "counterexample" => counterexample(body),
-        "invariance" => invariance(body),
-        "quadratic" => quadratic(body),
         "ellipsoid" => ellipsoid(body),
         _ => false,
     }
@@ -147,128 +145,6 @@ fn ranges(system: &Value) -> bool {
         .get("parameters")
         .map(|p| p.as_object().unwrap().values().map(qs).collect::<Vec<_>>());
     all.unwrap_or_default().iter().all(|ends| ends[0] <= ends[1])
-}
-
-fn follows(known: &[(Affine, &str)], goal: &Affine, relation: &str, multipliers: &Value) -> bool {
-    let (mut rest, mut strict, mut sound) = (goal.clone(), false, true);
-    for (index, m) in multipliers.as_object().unwrap() {
-        let (m, (fact, sign)) = (q(m), &known[index.parse::<usize>().unwrap()]);
-        sound &= *sign == "=" || (relation != "=" && !m.is_negative());
-        strict |= *sign == ">" && m.is_positive();
-        rest = rest.iter().zip(fact).map(|(r, f)| r - &m * f).collect();
-    }
-    let constant = rest.remove(0);
-    sound
-        && rest.iter().all(Zero::is_zero)
-        && match relation {
-            "=" => constant.is_zero(),
-            ">" => constant.is_positive() || (constant.is_zero() && strict),
-            _ => !constant.is_negative(),
-        }
-}
-
-fn invariance(body: &Value) -> bool {
-    let names = words(&body["system"]["state"]);
-    let node = |n: &Value| -> Vec<(Affine, &str)> {
-        words(&body["nodes"][n.as_str().unwrap()]).iter().map(|t| literal(&names, t)).collect()
-    };
-    let edges = body["edges"].as_array().unwrap().iter().all(|edge| {
-        let (known, goals) = (node(&edge["from"]), node(&edge["to"]));
-        goals.iter().zip(edge["multipliers"].as_array().unwrap()).all(|((goal, sign), row)| {
-            let images = edge
-                .get("by")
-                .map_or(vec![goal.clone()], |m| after(&body["system"], m.as_str().unwrap(), goal));
-            let row = row.as_array().unwrap();
-            row.len() == images.len()
-                && images.iter().zip(row).all(|(image, m)| follows(&known, image, sign, m))
-        })
-    });
-    let claims = body["claims"].as_array().unwrap().iter().all(|claim| {
-        let (goal, sign) = literal(&names, claim["holds"].as_str().unwrap());
-        follows(&node(&claim["at"]), &goal, sign, &claim["multipliers"])
-    });
-    ranges(&body["system"]) && edges && claims
-}
-
-/// Of two readouts: a form is definite if its principal minors are.
-fn quadratic(body: &Value) -> bool {
-    type Two = [[Rational; 2]; 2];
-    let system = &body["system"];
-    let readouts: Vec<Affine> = words(&body["readouts"])
-        .iter()
-        .map(|t| affine(&words(&system["state"]), |v| value(t, v)))
-        .collect();
-    let form = |mode: &str| -> Two {
-        let low = body.get("matrix").unwrap_or(&body["matrices"][mode]);
-        let [p, q, r] = [&low[0][0], &low[1][0], &low[1][1]].map(q);
-        [[p, q.clone()], [q, r]]
-    };
-    let minors =
-        |m: &Two| [m[0][0].clone(), m[1][1].clone(), &m[0][0] * &m[1][1] - &m[0][1] * &m[1][0]];
-    let modes: Vec<&String> = system["modes"].as_object().unwrap().keys().collect();
-    let y = ["y0".to_owned(), "y1".to_owned()];
-    let rate = body.get("rate").map(q);
-    let start = body.get("start").map(|s| {
-        let at: Vec<Rational> = qs(s);
-        readouts
-            .iter()
-            .map(|f| f[1..].iter().zip(&at).fold(f[0].clone(), |sum, (c, x)| sum + c * x))
-            .collect::<Vec<_>>()
-    });
-    ranges(system)
-        && rate.as_ref().is_none_or(|c| !c.is_negative() && *c < Rational::one())
-        && modes.iter().all(|mode| {
-            let p = form(mode);
-            let started = start.as_ref().is_none_or(|s| {
-                let two = Rational::from_integer(2.into());
-                (&p[0][0] * &s[0] * &s[0]
-                    + two * &p[1][0] * &s[0] * &s[1]
-                    + &p[1][1] * &s[1] * &s[1])
-                    .is_positive()
-            });
-            // The map at each end of the parameter, as a system of its own.
-            let rows = words(&body["maps"][mode.as_str()]);
-            let mut own = json!({ "state": y, "modes": { "m": { "y0": rows[0], "y1": rows[1] } } });
-            if let Some(parameters) = system.get("parameters") {
-                own["parameters"] = parameters.clone();
-            }
-            let int = |n: i32| Rational::from_integer(n.into());
-            let images =
-                [1, 0].map(|first| after(&own, "m", &vec![int(0), int(first), int(1 - first)]));
-            let vertices = images[0].len().max(images[1].len());
-            let a = |v: usize| -> Two {
-                [0, 1].map(|j| {
-                    let f = images[j].get(v).unwrap_or(&images[j][0]);
-                    [f[1].clone(), f[2].clone()]
-                })
-            };
-            let fits = (0..2).all(|j| {
-                let steps = after(system, mode, &readouts[j]);
-                (0..vertices).all(|v| {
-                    let a = a(v);
-                    let made: Affine = (0..readouts[0].len())
-                        .map(|n| &a[j][0] * &readouts[0][n] + &a[j][1] * &readouts[1][n])
-                        .collect();
-                    made == *steps.get(v).unwrap_or(&steps[0])
-                })
-            });
-            let falls = (0..vertices).all(|v| {
-                modes.iter().all(|target| {
-                    let (a, t) = (a(v), form(target));
-                    let moved = |i: usize, j: usize| -> Rational {
-                        (0..4).map(|n| &a[n / 2][i] * &t[n / 2][n % 2] * &a[n % 2][j]).sum()
-                    };
-                    let entry = |i: usize, j: usize| match &rate {
-                        Some(c) => c * c * &p[i][j] - moved(i, j),
-                        None => moved(i, j) - &p[i][j],
-                    };
-                    let left: Two = [0, 1].map(|i| [0, 1].map(|j| entry(i, j)));
-                    !minors(&left).iter().any(Signed::is_negative)
-                })
-            });
-            let measures = start.is_some() || minors(&p).iter().all(Signed::is_positive);
-            started && fits && falls && measures && (start.is_none() || vertices == 1)
-        })
 }
 
 /// The run of a linear system, and whether it starts where it should and ends where the claim fails.

@@ -268,7 +268,7 @@ fn without_a_system_nothing_is_known() {
     let statement = json!({ "constants": { "last": "real" }, "conclusions": [] });
     let statement = serde_json::from_value(statement).unwrap();
     let words = assume(&statement, &mut kernel, exec_coverage).unwrap();
-    assert_eq!(words, ["for every real last"]);
+    assert_eq!(words, ["for all reals last"]);
     assert!(kernel.lemmas.is_empty());
 }
 

@@ -32,10 +32,10 @@ pub(in super::super) struct Options {
     /// Number of parts, at most one for each work item
     #[arg(long, value_name = "N")]
     shards: Option<usize>,
-    /// Partition of Slurm
+    /// Partitions of Slurm, separated by commas
     #[arg(long, value_name = "P")]
     partition: Option<String>,
-    /// Limit of each job's time, as Slurm reads it
+    /// Limit of each job's time, as Slurm reads it: 90 (minutes), 1:30:00 or 2-12 (days and hours)
     #[arg(long, value_name = "T")]
     time: Option<String>,
     /// Print the files that would be run; write and submit nothing
@@ -93,7 +93,7 @@ pub(super) fn run(given: &super::options::Options, out: &mut dyn Write) -> Resul
         limits: [("partition", partition.as_deref()), ("time", time.as_deref())],
     };
     let slurm = *submit == Some(Scheduler::Slurm);
-    let told = if slurm { slurm::files(&jobs) } else { kubernetes::files(&jobs)? };
+    let told = if slurm { slurm::files(&jobs)? } else { kubernetes::files(&jobs)? };
     let texts = scripts::files(&jobs).into_iter().chain(told);
     let folder = given.out.clone().unwrap_or_else(|| PathBuf::from(&jobs.name));
     if *dry_run {

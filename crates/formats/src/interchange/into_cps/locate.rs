@@ -71,7 +71,7 @@ struct Found {
 fn model(path: &Path) -> Result<Found> {
     let fail = |what: String| Error::input(format!("{}: {what}", path.display()));
     let folder = path.parent().unwrap_or(Path::new("."));
-    let text = files::read_text(path, Limit::MULTI_MODEL)?;
+    let text = files::read_json(path, Limit::MULTI_MODEL)?;
     let mut json: Json = serde_json::from_str(&text)
         .map_err(|e| fail(format!("expected an INTO-CPS multi-model: {e}")))?;
     if json.get("fmus").is_some() || CONFIGURATION.iter().all(|key| json.get(key).is_none()) {
@@ -82,7 +82,7 @@ fn model(path: &Path) -> Result<Found> {
     let named = json.get("multimodel_path").and_then(Json::as_str).unwrap_or_default();
     let named = file(folder, named).map_err(|e| fail(e.to_string()))?;
     let path = if named.is_file() { named } else { above(folder).unwrap_or(named) };
-    let text = files::read_text(&path, Limit::MULTI_MODEL)?;
+    let text = files::read_json(&path, Limit::MULTI_MODEL)?;
     let fail =
         |e| Error::input(format!("{}: expected an INTO-CPS multi-model: {e}", path.display()));
     let mut model: Json = serde_json::from_str(&text).map_err(fail)?;

@@ -26,10 +26,8 @@ impl Writer<'_> {
                 said.push((holds, BTreeMap::new()));
                 said.len() - 1
             });
-            let places = self.walk.places.iter().enumerate().filter(|(_, p)| p.node == claim.at);
-            for (place, _) in places {
-                said.get_mut(index)?.1.insert(place, &claim.multipliers);
-            }
+            let place = self.walk.places.iter().position(|p| p.node == claim.at)?;
+            said.get_mut(index)?.1.insert(place, &claim.multipliers);
         }
         for (index, (holds, places)) in said.iter().enumerate() {
             let literal = self.runs.literal(self.system, holds)?;

@@ -1,7 +1,8 @@
 //! What holds along the runs of a system, as a theorem: literals at nodes, and why those of one node follow
 //! from those of the node before.
 //!
-//! The nodes of the chain are lemmas in turn; where nodes recur, the first of them is proved by induction.
+//! The node that follows from the start is shown literal by literal (`opening`). All literals of a later node are one clause, shown from that
+//! of the node before (`carry`); where nodes recur, the first of them by induction. What is claimed are instances (`claims`).
 
 mod carry;
 mod claims;
@@ -11,18 +12,17 @@ mod walk;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use num_traits::One;
 use serde_json::{Map, Value, json};
 
 use super::linear::{Invariance, LinearSystem, NodeClaim};
 use super::runs::{Literal, Runs, Time};
-use cordon_core::Rational;
-use cordon_core::system::expression::add_term;
-use num_traits::One;
-
 use super::theorem::{Sheet, clause, induction, positivity};
 use super::weights::{Factor, Sum};
 use carry::{Carry, Read, Weights};
+use cordon_core::Rational;
 use cordon_core::linear::feasible::Sign;
+use cordon_core::system::expression::add_term;
 use walk::{How, Walk};
 
 /// A certificate in the making.

@@ -5,6 +5,9 @@
 //! a half-space after a step is decided at the ends of the ranges, one range after the other
 //! (`between_..`), and there by linear arithmetic.
 
+mod names;
+mod scripts;
+
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
@@ -19,6 +22,8 @@ use cordon_core::scalar::Polynomial;
 use cordon_core::system::expression::sum_text;
 use cordon_core::system::{Mode, Parameter, ParameterKind, System};
 use cordon_core::{Error, Rational, Result};
+use names::field;
+use scripts::{ALWAYS, BETWEEN, FOLLOWS, KEPT, MOVES, START_MEETS, proof};
 
 /// The name of the file and of the theory.
 const NAME: &str = "own_protocol";
@@ -426,79 +431,6 @@ BEGIN
     }
 }
 
-/// A name of the file's as a name of PVS's.
-fn field(name: &str) -> String {
-    let is_taken = KEYWORDS.iter().any(|word| word.eq_ignore_ascii_case(name));
-    // No name of a file's ends like that.
-    if is_taken { format!("{name}_") } else { name.to_owned() }
-}
-
-/// Words that are no names in PVS, and the type of numbers.
-const KEYWORDS: [&str; 62] = [
-    "and",
-    "andthen",
-    "array",
-    "as",
-    "assuming",
-    "assumption",
-    "auto_rewrite",
-    "auto_rewrite_minus",
-    "axiom",
-    "begin",
-    "but",
-    "by",
-    "cases",
-    "challenge",
-    "claim",
-    "closure",
-    "cond",
-    "conjecture",
-    "containing",
-    "conversion",
-    "corollary",
-    "datatype",
-    "else",
-    "elsif",
-    "end",
-    "endassuming",
-    "endcases",
-    "endcond",
-    "endif",
-    "endtable",
-    "exists",
-    "exporting",
-    "fact",
-    "false",
-    "forall",
-    "formula",
-    "from",
-    "function",
-    "has_type",
-    "if",
-    "iff",
-    "implies",
-    "importing",
-    "in",
-    "inductive",
-    "judgement",
-    "lambda",
-    "law",
-    "lemma",
-    "let",
-    "library",
-    "macro",
-    "not",
-    "o",
-    "or",
-    "real",
-    "table",
-    "then",
-    "theory",
-    "type",
-    "var",
-    "with",
-];
-
 fn and(texts: impl IntoIterator<Item = String>) -> String {
     joined(texts, "AND", "TRUE")
 }
@@ -522,47 +454,3 @@ fn by_moment(texts: Vec<String>) -> String {
     }
     format!("{text}ELSE {last} ENDIF")
 }
-
-/// A script as comments.
-fn proof(name: &str, script: &str) -> String {
-    let mut text = format!("%|- {name} : PROOF\n");
-    script.lines().for_each(|line| text.push_str(&format!("%|- {line}\n")));
-    text + "%|- QED\n"
-}
-
-/// What is positive at both ends of a range is positive between.
-const BETWEEN: &str = r#"
-  between_pos: LEMMA
-    FORALL (a, b, lo, hi, e: real):
-      lo <= e AND e <= hi AND a + lo * b > 0 AND a + hi * b > 0 IMPLIES a + e * b > 0
-%|- between_pos : PROOF
-%|- (then (skeep) (lemma "pos_times_ge" ("x" "e - lo" "y" "b"))
-%|-   (lemma "pos_times_ge" ("x" "hi - e" "y" "-b")) (ground))
-%|- QED
-
-  between_nonneg: LEMMA
-    FORALL (a, b, lo, hi, e: real):
-      lo <= e AND e <= hi AND a + lo * b >= 0 AND a + hi * b >= 0 IMPLIES a + e * b >= 0
-%|- between_nonneg : PROOF
-%|- (then (skeep) (lemma "pos_times_ge" ("x" "e - lo" "y" "b"))
-%|-   (lemma "pos_times_ge" ("x" "hi - e" "y" "-b")) (ground))
-%|- QED
-"#;
-
-const START_MEETS: &str =
-    r#"(then (skeep) (expand "start?") (expand "invariant?") (flatten) (ground))"#;
-
-const FOLLOWS: &str =
-    r#"(then (skeep) (expand "invariant?") (expand "claimed?") (lift-if) (ground))"#;
-
-const MOVES: &str = r#"(then (skeep) (expand "run?") (flatten) (inst -3 "k") (flatten) (ground))"#;
-
-const KEPT: &str = r#"(spread (induct "k")
-  ((then (skeep) (expand "run?") (flatten) (lemma "start_meets" ("s" "r(0)")) (assert))
-   (then (skolem 1 "j") (flatten) (skeep) (inst -1 "q" "at" "r")
-     (lemma "moves" ("q" "q" "at" "at" "r" "r" "k" "j"))
-     (lemma "keeps" ("p" "q(j)" "m" "at(j)" "s" "r(j)" "n" "at(j + 1)" "t" "r(j + 1)"))
-     (ground))))"#;
-
-const ALWAYS: &str = r#"(then (skeep) (lemma "kept") (inst -1 "k" "q" "at" "r")
-  (lemma "follows" ("m" "at(k)" "s" "r(k)")) (assert))"#;

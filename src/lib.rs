@@ -177,7 +177,8 @@ pub fn refute(
 /// let verdict = cordon::check_certificate(&certificate);
 /// assert!(matches!(verdict, CertificateVerdict::Valid { .. }), "{verdict}");
 ///
-/// let forged = certificate.replace("7.2", "7.3");
+/// let forged = certificate.replace("1 - 2*eps >= 0", "1 - eps >= 0");
+/// assert_ne!(forged, certificate);
 /// assert!(!matches!(cordon::check_certificate(&forged), CertificateVerdict::Valid { .. }));
 /// ```
 pub fn prove(theorem: Theorem, form: Form) -> Option<String> {

@@ -170,7 +170,10 @@ fn certificates_are_judged_again() {
     let problems = page["tiers"][0]["problems"].as_array().unwrap();
     assert_eq!(problems.len(), 1);
     let said = problems[0].as_str().unwrap();
-    assert!(said.starts_with("rejected: bad.json: invalid: contraction: rule "), "{said}");
+    assert!(
+        said.starts_with("rejected: bad.json: invalid: certificate: rule contraction: "),
+        "{said}"
+    );
     // No certificate at all.
     std::fs::remove_file(repo.root().join("proofs/certificates/sub/bad.json")).unwrap();
     repo.write("proofs/certificates/none.json", "{}");

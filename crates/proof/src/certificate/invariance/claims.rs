@@ -99,6 +99,10 @@ impl Writer<'_> {
         multipliers: &Multipliers,
         at: &Time,
     ) -> Option<Value> {
+        if literal.form.is_empty() {
+            // A number, or nothing where that is 0.
+            return Some(positivity(&[], &exact::fraction(&literal.constant)));
+        }
         if at.variable.is_none() && place < self.shares.len() {
             return self.by_facts(literal, place, multipliers);
         }

@@ -1,31 +1,28 @@
-//! Files as users have them: links, pipes, read-only ones, huge ones, with marks and control
-//! characters inside.
+//! Files that are written as users have them: links, pipes, read-only ones, inputs.
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use crate::common::{cordon, run};
-use cordon_core::text::is_harmful;
 use tempfile::TempDir;
 
-struct Folder(TempDir);
+pub(super) struct Folder(pub(super) TempDir);
 
 impl Folder {
-    fn new() -> Self {
+    pub(super) fn new() -> Self {
         Self(tempfile::tempdir().unwrap())
     }
 
-    fn at(&self, name: &str) -> PathBuf {
+    pub(super) fn at(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
     }
 
-    fn with(&self, name: &str, content: impl AsRef<[u8]>) -> String {
+    pub(super) fn with(&self, name: &str, content: impl AsRef<[u8]>) -> String {
         let path = self.at(name);
         fs::write(&path, content).unwrap();
         path.display().to_string()
     }
 
-    fn name(&self, name: &str) -> String {
+    pub(super) fn name(&self, name: &str) -> String {
         self.at(name).display().to_string()
     }
 }
@@ -221,145 +218,6 @@ fn the_name_of_a_run_file_says_its_form() {
 }
 
 #[test]
-fn reading_has_a_limit() {
-    let folder = Folder::new();
-    let path = folder.name("big.toml");
-    fs::File::create(&path).unwrap().set_len(200_000_000).unwrap();
-    let files = if cfg!(unix) { vec![path.as_str(), "/dev/zero"] } else { vec![path.as_str()] };
-    for file in files {
-        for (command, what) in
-            [("trace", "a scenario of at most 64 MiB"), ("prove", "a protocol of at most 4 MiB")]
-        {
-            let args: &[&str] =
-                if command == "prove" { &["prove", "--protocol", file] } else { &["trace", file] };
-            let (code, out, err) = run(args);
-            assert_eq!((code, out.as_str()), (2, ""), "{args:?}");
-            assert!(err.contains(&format!("`{file}`: expected {what}")), "{err}");
-        }
-    }
-    let mut program = fs::File::create(folder.at("program")).unwrap();
-    program.write_all(b"\x7fELF").unwrap();
-    program.set_len(200_000_000).unwrap();
-    let (_, _, err) = run(&["trace", &folder.name("program")]);
-    assert!(
-        err.contains("program`: a program or library: expected a scenario of at most"),
-        "{err}"
-    );
-    // What is not too large is read, from a pipe too.
-    let mut child = std::process::Command::new(cordon().get_program())
-        .args(["trace", "-", "--steps", "1"])
-        .stdin(std::process::Stdio::piped())
-        .stdout(std::process::Stdio::piped())
-        .spawn()
-        .unwrap();
-    child.stdin.take().unwrap().write_all(&fs::read("scenarios/paper.toml").unwrap()).unwrap();
-    assert!(child.wait_with_output().unwrap().status.success());
-}
-
-#[test]
-fn what_is_not_shown_steers_no_terminal() {
-    let folder = Folder::new();
-    let clean = |text: &str| !text.chars().any(|c| c != '\n' && is_harmful(c));
-    let scenario = |title: &str| {
-        format!("title = \"{title}\"\nstart = [0, 10, 20, 30, 100]\nweight = \"1/5\"\n")
-    };
-    let protocol = |title: &str| {
-        let text = fs::read_to_string("scenarios/own/two-modes.toml").unwrap();
-        let (before, _) = text.split_once("title = ").unwrap();
-        let after = text.split_once("title = ").unwrap().1.split_once('\n').unwrap().1;
-        format!("{before}title = \"{title}\"\n{after}")
-    };
-    let mut refused = 0;
-    for (hidden, name) in [
-        ("\\u001b[31m", "U+001B"),
-        ("\\u009b", "U+009B"),
-        ("\\u202e", "U+202E"),
-        ("\u{202e}", "U+202E"),
-        ("\u{2066}", "U+2066"),
-        ("\u{200b}", "U+200B"),
-        ("\\U000E0041", "U+E0041"),
-    ] {
-        let title = format!("x{hidden}y");
-        let page = folder.name("page.html");
-        let s = folder.with("s.toml", scenario(&title));
-        let p = folder.with("p.toml", protocol(&title));
-        let calls: [&[&str]; 4] = [
-            &["trace", &s],
-            &["replay", &s, "--out", &page],
-            &["prove", "--protocol", &p],
-            &["trace", "--protocol", &p, "--start", "0,0,0"],
-        ];
-        for call in calls {
-            let (code, out, err) = run(call);
-            assert_eq!((code, out.as_str()), (2, ""), "{call:?}");
-            let place = err.contains("s.toml:1:") || err.contains("p.toml:");
-            assert!(place && err.contains(name) && clean(&err), "{err}");
-            refused += 1;
-        }
-        assert!(!Path::new(&page).exists());
-    }
-    assert_eq!(refused, 7 * 4);
-    // In names, in comments, and a title that would look like lines of its own.
-    let named = scenario("x") + "[parameters]\n\"a\\u202eb\" = 1\n";
-    for (text, said) in [
-        (named, ":5:1: a key: U+202E"),
-        (scenario("x") + "# a\u{202e}b\n", ":4:4: U+202E"),
-        (scenario("x\\n  proved"), ":1:9: title: expected one line"),
-    ] {
-        let (code, _, err) = run(&["trace", &folder.with("s.toml", &text)]);
-        assert!(code == 2 && err.contains(said), "{text}: {err}");
-    }
-    // Twins that are accepted: letters of any script, and what joins them.
-    for title in ["Größe 中 \u{645}\u{6cc}\u{200c}\u{62e}", "x"] {
-        let (code, out, err) = run(&["trace", &folder.with("s.toml", scenario(title))]);
-        assert!(code == 0 && out.starts_with(&format!("{title}\n")), "{out}{err}");
-    }
-    // What is typed is shown without it.
-    for args in [
-        &["trace", "no-\u{1b}[31m-such.toml"][..],
-        &["trace", "no-\u{202e}-such.toml"],
-        &["trace", "--start", "0,\u{202e}1,2", "--eps", "1/3"],
-        &["prove", "7.2\u{202e}"],
-        &["tr\u{202e}ace"],
-        &["trace", "--\u{202e}"],
-    ] {
-        let (code, out, err) = run(args);
-        assert!((code == 2 || code == 74) && out.is_empty(), "{args:?}");
-        assert!(clean(&err) && err.contains('\u{fffd}'), "{args:?}: {err}");
-    }
-}
-
-#[test]
-fn byte_order_marks_are_no_columns() {
-    let folder = Folder::new();
-    let (_, csv, _) = run(&["cosim", "scenarios/paper.toml", "--format", "csv"]);
-    let run_file = folder.with("run.csv", format!("\u{feff}{csv}"));
-    assert_eq!(run(&["replay", &run_file, "--out", &folder.name("page.html")]).0, 0);
-    let scenario = fs::read_to_string("scenarios/paper.toml").unwrap();
-    let marked = folder.with("marked.toml", format!("\u{feff}{scenario}"));
-    assert_eq!(run(&["trace", &marked]).0, 0);
-}
-
-#[test]
-fn numbers_of_any_size_are_read_exactly() {
-    let folder = Folder::new();
-    let large = format!("1{}", "0".repeat(309));
-    let text = format!(
-        "start = [0, 1e309, 0x{}, -0.5e-400, {large}]\nweight = 0.2\nprotocol = \"consensus\"\n",
-        "f".repeat(40)
-    );
-    let path = folder.with("large.toml", text);
-    let (code, out, err) =
-        run(&["trace", &path, "--steps", "0", "--format", "csv", "--numbers", "fraction"]);
-    assert_eq!(code, 0, "{err}");
-    let row = out.lines().last().unwrap();
-    assert!(row.contains(&format!(",{large},")), "{row}");
-    // 16^40 - 1, and 5/10^401 in lowest terms.
-    assert!(row.contains(",1461501637330902918203684832716283019655932542975,"), "{row}");
-    assert!(row.contains(&format!(",-1/2{},", "0".repeat(400))), "{row}");
-}
-
-#[test]
 fn a_replay_line_can_be_pasted_into_a_shell() {
     let folder = Folder::new();
     let text = fs::read("scenarios/own/hasty-coverage.toml").unwrap();
@@ -489,69 +347,4 @@ fn what_cannot_be_written_leaves_stdout_empty() {
     let (code, out, err) = run(&["refute", own[0], own[1], "--out", &written]);
     assert_eq!((code, out.as_str()), (74, ""));
     assert!(err.contains("a folder: expected a file"), "{err}");
-}
-
-/// What was found, and what was expected.
-#[test]
-fn another_kind_of_file_is_named() {
-    let folder = Folder::new();
-    let fmu = folder.with("own.fmu", b"PK\x03\x04\x14\x00\xff\xfe");
-    let program = folder.with("program", b"\x7fELF\x02\x01\x00\x00");
-    let other = folder.with("other", b"a\x00\x01\xff");
-    let empty = folder.with("empty.toml", " \n");
-    let table = folder.with("run.csv", "time,x0,x1\n0,1,2\n");
-    let page = folder.with("page.html", "<!doctype html>");
-    let json = folder.with("json.toml", "{ \"schema\": \"cordon-certificate/2\" }");
-    let directory = folder.0.path().display().to_string();
-    let (scenario, protocol) = ("scenarios/paper.toml", "scenarios/own/coverage.toml");
-    let mut tried = 0;
-    for (file, found) in [
-        (fmu.as_str(), "a zip archive, as FMUs are"),
-        (&program, "a program or library"),
-        (&other, "a binary file"),
-        (&empty, "empty"),
-        (&table, "a table in CSV"),
-        (&page, "XML or HTML"),
-        (&json, "JSON"),
-        (&directory, "a folder"),
-    ] {
-        for (call, expected) in [
-            (vec!["trace", file], "expected a scenario"),
-            (vec!["prove", "--protocol", file], "expected a protocol"),
-        ] {
-            let (code, out, err) = run(&call);
-            assert!((code == 2 || code == 74) && out.is_empty(), "{call:?}");
-            assert!(err.contains(&format!("{found}: {expected}")), "{call:?}: {err}");
-            tried += 1;
-        }
-    }
-    assert_eq!(tried, 16);
-    // Files that only programs write.
-    let start = "start = [0, 1, 3]\nweight = 0.5\n[[unit]]\ndrone = 1\nunit = \"plant\"\nfmu = ";
-    let unit = |fmu: &str| folder.with("unit.toml", format!("{start}'{fmu}'\n"));
-    let html = folder.name("page.html");
-    let system = folder.with("x.ssp", "no archive");
-    let model = folder.with("model.json", "title = 1");
-    let nothing = folder.with("nothing.json", "");
-    fs::create_dir(folder.at("folder.ssp")).unwrap();
-    let folder_as_system = folder.name("folder.ssp");
-    for (call, said) in [
-        (vec!["cosim", &system], "x.ssp`: no zip archive: expected an SSP archive"),
-        (vec!["cosim", &folder_as_system], "folder.ssp`: a folder: expected an SSP archive"),
-        (vec!["cosim", &unit(&table)], "run.csv`: no zip archive: expected an FMU"),
-        (vec!["cosim", &model], "model.json`: no JSON: expected a multi-model"),
-        (vec!["cosim", &nothing], "nothing.json`: empty: expected a multi-model"),
-        (vec!["replay", &nothing, "--out", &html], "nothing.json`: empty: expected a whole run"),
-        (vec!["check", protocol], "coverage.toml`: expected a certificate, which is JSON"),
-    ] {
-        let (code, _, err) = run(&call);
-        assert!((code == 2 || code == 74) && err.contains(said), "{call:?}: {err}");
-    }
-    let (_, _, err) = run(&["cosim", protocol]);
-    assert!(err.contains("coverage.toml: a protocol file: expected a scenario"), "{err}");
-    let start_only = folder.with("s.toml", "start = [0, 1, 2]\neps = 0.2\n");
-    for file in [scenario, &start_only] {
-        let (code, _, err) = run(&["prove", "--protocol", file]);
-        assert!(code == 2 && err.contains(": a scenario: expected a protocol file"), "{err}");
-    }
 }

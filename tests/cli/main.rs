@@ -11,6 +11,7 @@ mod cosim;
 mod documents;
 mod export_pvs;
 mod files;
+mod files_read;
 #[cfg(feature = "fmi-import")]
 mod fmi_import;
 mod fmpy;

@@ -173,7 +173,7 @@ fn jobs_that_make_no_sense_are_refused() {
         "7.2 --submit slurm --shards 4 --dry-run --time bogus",
         "--time: `bogus`: expected minutes, minutes:seconds, hours:minutes:seconds, days-hours",
     );
-    refused("7.2 --submit slurm --shards 4 --dry-run --time 1:60", "--time: `1:60`: expected");
+    refused("7.2 --submit slurm --shards 4 --dry-run --time 1:2:3:4", "--time: `1:2:3:4`: exp");
     refused(
         "7.2 --submit slurm --shards 4 --dry-run --partition a,,b",
         "--partition: `a,,b`: expected names of partitions",

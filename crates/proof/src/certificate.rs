@@ -6,7 +6,6 @@ pub mod invariance;
 pub mod linear;
 pub mod quadratic;
 pub mod runs;
-mod squares;
 pub mod theorem;
 pub mod weights;
 

@@ -107,6 +107,7 @@ fn known(args: &ProtocolArgs, file: &ProtocolFile, system: &System) -> Result<Ve
         _ => Vec::new(),
     };
     let together = || -> Result<bool> {
+        progress::tries(format!("an invariant for {}", counted(system.agents, "agent")));
         match claims::prove_within(system, &claims::PROOF) {
             Ok(found) => Ok(certified(&found)?.is_ok()),
             Err(_) => Ok(false),

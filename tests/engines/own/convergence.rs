@@ -217,6 +217,27 @@ fn many_differences_are_judged() {
     }
 }
 
+/// What the checker's limits allow: sparse forms of up to two hundred differences, dense ones of some fifty.
+#[test]
+fn long_chains_are_within_the_limits() {
+    let agreement = |agents: usize, rest: &str| {
+        let head = format!("agents = {agents}\nconverges = \"agreement\"\n{rest}");
+        converge::contraction(&system(&head)).unwrap().map(|found| is_valid(&found.certificate))
+    };
+    let first = "[rules]\nall = \"x + sum(their.x - x)/3\"\n";
+    let ranged = "[parameters]\neps = \"1/4..1/3\"\n[rules]\nall = \"x + eps*sum(their.x - x)\"\n";
+    let second = "state = \"x, v\"\ntopology = \"line\"\n[rules]\nall = { x = \"x + v/10\", \
+                  v = \"v + sum(their.x - x)/10 + 3/10*sum(their.v - v)\" }\n";
+    for (agents, rest) in [
+        (150, format!("topology = \"line\"\n{first}")),
+        (150, format!("topology = \"ring\"\n{first}")),
+        (100, format!("topology = \"ring\"\n{ranged}")),
+        (26, second.to_owned()),
+    ] {
+        assert_eq!(agreement(agents, &rest), Some(true), "{agents}: {rest}");
+    }
+}
+
 /// Without work nothing is said.
 #[test]
 fn a_search_without_work_is_open() {

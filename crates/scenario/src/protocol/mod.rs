@@ -177,7 +177,7 @@ impl ProtocolFile {
             targets.extend(past);
         }
         Ok(System {
-            title: doc.title.clone().filter(is_title).unwrap_or_else(|| self.name.clone()),
+            title: doc.title.clone().filter(|t| is_title(t)).unwrap_or_else(|| self.name.clone()),
             agents: count,
             variables,
             state: built.state,

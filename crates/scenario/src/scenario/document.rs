@@ -49,7 +49,7 @@ pub fn document<T: DeserializeOwned>(source: &Source<'_>) -> Result<(T, Places)>
 }
 
 /// Whether there is something in a title to show.
-pub fn is_title(title: &String) -> bool {
+pub fn is_title(title: &str) -> bool {
     !title.trim().is_empty()
 }
 

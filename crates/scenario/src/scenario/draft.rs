@@ -195,7 +195,7 @@ impl Draft {
             )));
         }
         Ok(Scenario {
-            title: self.title.filter(is_title).unwrap_or(title),
+            title: self.title.filter(|t| is_title(t)).unwrap_or(title),
             protocol,
             start,
             weight,

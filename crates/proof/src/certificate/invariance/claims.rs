@@ -99,6 +99,9 @@ impl Writer<'_> {
         multipliers: &Multipliers,
         at: &Time,
     ) -> Option<Value> {
+        if at.variable.is_none() && place < self.shares.len() {
+            return self.by_facts(literal, place, multipliers);
+        }
         let node = self.node(place);
         let mut factors = vec![Rational::zero(); node.len()];
         for (i, text) in multipliers {

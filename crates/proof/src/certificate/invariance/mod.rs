@@ -1,12 +1,12 @@
 //! What holds along the runs of a system, as a theorem: literals at nodes, and why those of one node follow
 //! from those of the node before.
 //!
-//! The node that follows from the start is shown literal by literal (`opening`). All literals of a later node are one clause, shown from that
+//! At the first steps a node is shown literal by literal (`facts`). All literals of a later node are one clause, shown from that
 //! of the node before (`carry`); where nodes recur, the first of them by induction. What is claimed are instances (`claims`).
 
 mod carry;
 mod claims;
-mod opening;
+mod facts;
 mod walk;
 
 use std::collections::BTreeMap;
@@ -22,7 +22,6 @@ use super::weights::{Factor, Sum};
 use carry::{Carry, Read, Weights};
 use cordon_core::Rational;
 use cordon_core::linear::feasible::Sign;
-use cordon_core::system::expression::add_term;
 use walk::{How, Walk};
 
 /// A certificate in the making.
@@ -41,16 +40,8 @@ struct Writer<'i> {
     earlier: String,
     /// The least value that literals > 0 are assumed to have at the start.
     margin: String,
-    opening: Opening,
-}
-
-/// The place whose literals are facts about the start, each by itself.
-struct Opening {
-    place: usize,
-    /// What the facts' names begin with.
-    facts: &'static str,
-    /// Literals > 0 are at least this, times the margin if there is one.
-    share: Rational,
+    /// Of the places whose literals are facts: literals > 0 are at least so much, times the margin if there is one.
+    shares: Vec<Rational>,
 }
 
 /// Most literals of a node of which claims are instances; larger ones are divided into groups first.
@@ -78,7 +69,6 @@ pub fn certificate(invariance: &Invariance) -> Option<Value> {
     }
     let [margin, weight, added, earlier] =
         ["margin", "l", "c", "t"].map(|wanted| runs.names.stem(wanted));
-    let opening = Opening { place: 0, facts: "start", share: Rational::one() };
     let (system, step) = (&invariance.system, runs.step.clone());
     let mut writer = Writer {
         sheet,
@@ -92,10 +82,10 @@ pub fn certificate(invariance: &Invariance) -> Option<Value> {
         step,
         earlier,
         margin,
-        opening,
+        shares: vec![Rational::one()],
     };
     writer.assume_start();
-    writer.open()?;
+    writer.begin()?;
     writer.prove_places()?;
     writer.conclude()?;
     Some(writer.sheet.certificate())
@@ -129,7 +119,7 @@ impl<'i> Writer<'i> {
     }
 
     fn lemma(place: usize) -> String {
-        format!("at{place}")
+        format!("all{place}")
     }
 
     fn assume_start(&mut self) {
@@ -238,8 +228,8 @@ impl<'i> Writer<'i> {
         let node = self.node(place);
         let after = self.goal_weights(node);
         let how = &self.walk.places.get(place)?.how;
-        if place == self.opening.place {
-            return Some(self.opened(node));
+        if place + 1 == self.shares.len() {
+            return self.by_all_facts(place);
         }
         let before = self.node(place.checked_sub(1)?);
         let mut read = Read::default();
@@ -260,31 +250,14 @@ impl<'i> Writer<'i> {
         Some(positivity(&instances, &format!("[before]{}", read.zero)))
     }
 
-    /// The clause of the opening from the facts.
-    fn opened(&self, node: &[Literal]) -> Value {
-        let Opening { facts, share, .. } = &self.opening;
-        let added = format!("[{}]", self.added);
-        let mut sum = String::new();
-        for (j, literal) in node.iter().enumerate() {
-            let l = self.weight(j);
-            let l = if literal.sign == Sign::Zero { l } else { format!("[{l}]") };
-            add_term(&mut sum, &Rational::one(), &[&l, &format!("[{facts}.{j}]")]);
-        }
-        let factors: &[&str] = if self.has_margin() { &["[margin.low]"] } else { &[] };
-        add_term(&mut sum, share, &[factors, &["[positive]"]].concat());
-        if !share.is_one() {
-            add_term(&mut sum, &(Rational::one() - share), &[&added]);
-        }
-        if self.has_margin() {
-            add_term(&mut sum, share, &["[margin.high]", &added]);
-        }
-        positivity(&[], &sum)
-    }
-
-    /// A lemma for each place.
+    /// A lemma for each place from the last with facts on, if a run goes on from there.
     fn prove_places(&mut self) -> Option<()> {
+        let opening = self.shares.len() - 1;
+        if self.walk.back.is_none() && opening + 1 == self.walk.places.len() {
+            return Some(());
+        }
         let first = self.period().map(|(first, _)| first);
-        for place in self.opening.place..self.walk.places.len() {
+        for place in opening..self.walk.places.len() {
             let before = place.checked_sub(1);
             let at = self.time(place);
             let recurs = before.is_some() && first.is_some_and(|first| place > first);

@@ -94,7 +94,7 @@ fn a_copy_costs_its_atoms() {
 fn zeros_of_a_product_cost_no_operation() {
     let (zero, one) = (Number::whole(0), Number::whole(1));
     assert_eq!(cost(|| dot(&[zero.clone(), one.clone()], &[one.clone(), zero.clone()])), 2);
-    assert_eq!(cost(|| dot(&[one.clone()], &[one.clone()])), 1 + 2 * 128);
+    assert_eq!(cost(|| dot(std::slice::from_ref(&one), std::slice::from_ref(&one))), 1 + 2 * 128);
 }
 
 #[test]

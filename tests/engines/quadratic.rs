@@ -133,7 +133,8 @@ fn forms_that_do_not_show_it_are_not_written() {
         change(&mut quadratic);
         quadratic.certificate()
     };
-    let wrong: [(&str, Quadratic, fn(&mut Quadratic)); 6] = [
+    type Change = fn(&mut Quadratic);
+    let wrong: [(&str, Quadratic, Change); 6] = [
         ("too fast", contraction(), |c| c.course = Course::Falls(q("3/5"))),
         ("indefinite", contraction(), |c| c.forms[0][0][0] = q("1/8")),
         ("a longer form", switching(), |c| c.forms[1][0][0] = q("9")),

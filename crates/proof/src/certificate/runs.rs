@@ -177,10 +177,8 @@ impl Runs {
             let rows = rows.iter().map(row).collect::<Option<BTreeMap<_, _>>>()?;
             modes.push((name.clone(), rows));
         }
-        if let Turns::Any = turns {
-            if modes.len() > 1 {
-                modes.iter_mut().for_each(|(name, _)| *name = names.fresh(name));
-            }
+        if turns == Turns::Any && modes.len() > 1 {
+            modes.iter_mut().for_each(|(name, _)| *name = names.fresh(name));
         }
         let step = names.stem("k");
         let written = system.modes.keys().cloned().collect();

@@ -56,8 +56,8 @@ struct Known {
     earlier: bool,
 }
 
-/// The certificate of an invariance. `None` where it is not in a form that is written: see [`Walk::through`]
-/// and [`Carry::back`].
+/// The certificate of an invariance. `None` where it is not in a form that is written: nodes that are not in one row, modes that act
+/// neither freely nor in turns, multipliers that do not fit, or a literal > 0 that gets no share of one.
 pub fn certificate(invariance: &Invariance) -> Option<Value> {
     let walk = Walk::through(invariance)?;
     let mut sheet = Sheet::default();
@@ -224,7 +224,7 @@ impl<'i> Writer<'i> {
     }
 
     /// The clause of a place's node from that of the place before.
-    fn from_before(&self, place: usize, at: &Time, known: &Known) -> Option<Value> {
+    fn shown_from_before(&self, place: usize, at: &Time, known: &Known) -> Option<Value> {
         let node = self.node(place);
         let after = self.goal_weights(node);
         let how = &self.walk.places.get(place)?.how;
@@ -268,9 +268,9 @@ impl<'i> Writer<'i> {
             };
             let earlier = before.map_or_else(|| Time::step(0), |b| self.time(b));
             let proof = match first == Some(place) {
-                false => self.from_before(place, &earlier, &known)?,
+                false => self.shown_from_before(place, &earlier, &known)?,
                 true => {
-                    let base = self.from_before(place, &earlier, &known)?;
+                    let base = self.shown_from_before(place, &earlier, &known)?;
                     let step = self.around(place)?;
                     induction(&self.step, &self.step, &self.earlier, base, step)
                 }

@@ -34,13 +34,14 @@ impl Writer<'_> {
         while self.shares.len() <= last {
             let place = self.shares.len();
             let Some(rows) = self.rows(place) else { break };
-            self.prove_facts(place, &rows?)?;
+            let rows = rows.into_iter().collect::<Option<Vec<Row>>>()?;
+            self.prove_facts(place, &rows)?;
         }
         Some(())
     }
 
-    /// The multipliers of a place's literals, if they are numbers.
-    fn rows(&self, place: usize) -> Option<Option<Vec<Row>>> {
+    /// The multipliers of a place's literals, if they are numbers: of each what is written, if it fits.
+    fn rows(&self, place: usize) -> Option<Vec<Option<Row>>> {
         let how = self.walk.places.get(place).map(|p| p.how.clone())?;
         let (edge, updates) = match how {
             How::Here(edge) => (edge, None),
@@ -65,12 +66,11 @@ impl Writer<'_> {
             return None;
         }
         let before = self.node(place.checked_sub(1)?);
-        let rows = images.iter().zip(&edge.multipliers).map(|(image, multipliers)| {
-            let [multipliers] = multipliers.as_slice() else { return None };
+        let rows = images.iter().enumerate().map(|(j, image)| {
+            let [multipliers] = edge.multipliers.get(j)?.as_slice() else { return None };
             row(multipliers, image.evaluate(|_| Rational::zero()), before)
         });
-        let fits = edge.multipliers.len() == images.len();
-        Some(rows.collect::<Option<Vec<Row>>>().filter(|_| fits))
+        Some(rows.collect())
     }
 
     /// How much of the margin (or of 1, where there is none) a sum of a place's literals has.

@@ -10,7 +10,8 @@ import sys
 from fractions import Fraction
 
 SCHEMA = "cordon-certificate/2"
-MAX_BYTES, MAX_NUMBER, MAX_DEPTH, MAX_NAME, MAX_DRONES, MAX_WORK = 4 << 20, 2100, 32, 40, 10_000, 1 << 27
+MAX_BYTES, MAX_NUMBER, MAX_DEPTH, MAX_NAME, MAX_DRONES, MAX_WORK = 4 << 20, 2100, 32, 40, 10_000, 1 << 28
+CODES, IO_ERROR = {"valid": 0, "unreadable": 2, "invalid": 4}, 74
 POSITIVE, NONNEGATIVE, ZERO = ">", ">=", "="
 
 
@@ -117,6 +118,7 @@ def read(value, schema):
     else:
         need(isinstance(value, dict))
         if "*" in schema:
+            need(all(map(str.isprintable, value)))
             return {key: read(v, schema["*"]) for key, v in value.items()}
         fields = {key.rstrip("?"): key for key in schema}
         need(set(value) <= set(fields))
@@ -833,6 +835,7 @@ def refutation(c):
 
 
 def check(data):
+    """The verdict, the rule that fails where one does, and why."""
     work[0] = 0
     try:
         if len(data) > MAX_BYTES:
@@ -846,12 +849,28 @@ def check(data):
         return "unreadable", "-", str(e)
     except Invalid as e:
         return "invalid", e.rule, str(e)
-    return "valid", "-", ""
+    return ("valid",)
+
+
+def main(paths):
+    sys.setrecursionlimit(20_000)
+    sys.set_int_max_str_digits(0)
+    if not paths or any(path.startswith("-") for path in paths):
+        print("usage: check.py FILE...", file=sys.stderr)
+        return 2
+    worst = 0
+    for path in paths:
+        try:
+            with open(path, "rb") as file:
+                verdict = check(file.read(MAX_BYTES + 1))
+        except OSError as e:
+            print(f"error: cannot read `{path}`: {e.strerror}", file=sys.stderr)
+            worst = IO_ERROR
+            continue
+        worst = max(worst, CODES[verdict[0]])
+        print(f"{path}: {': '.join(verdict)}")
+    return worst
 
 
 if __name__ == "__main__":
-    sys.setrecursionlimit(20_000)
-    sys.set_int_max_str_digits(0)
-    for path in sys.argv[1:]:
-        with open(path, "rb") as file:
-            print(f"{path}: {': '.join(check(file.read(MAX_BYTES + 1)))}")
+    sys.exit(main(sys.argv[1:]))

@@ -15,6 +15,15 @@ pub type Result<T> = std::result::Result<T, Fault>;
 /// What a certificate shows, in words made from it, and how many proofs that took.
 pub type Shown = (String, usize);
 
+/// The text with escapes in the place of what is not shown, line breaks among them.
+pub fn shown(text: &str) -> String {
+    let escaped = |c: char| {
+        let plain = "\"'\\".contains(c).then_some(c);
+        plain.into_iter().chain(plain.is_none().then(|| c.escape_debug()).into_iter().flatten())
+    };
+    text.chars().flat_map(escaped).collect()
+}
+
 /// A fault of that rule.
 ///
 /// # Errors

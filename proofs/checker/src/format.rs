@@ -10,6 +10,7 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
 
 use crate::expr::Sort;
+use crate::fault::shown;
 use crate::number::Number;
 
 /// The only schema there is.
@@ -81,6 +82,10 @@ impl<'de, T: Deserialize<'de>> FromMap<'de> for Named<T> {
         while let Some((key, value)) = map.next_entry::<String, T>()? {
             if all.contains_key(&key) {
                 return Err(A::Error::custom(format!("duplicate field `{key:.40}`")));
+            }
+            // They stand in the verdict.
+            if shown(&key) != key {
+                return Err(A::Error::custom(format!("name `{key:.40}` is not all shown")));
             }
             all.insert(key, value);
         }

@@ -23,7 +23,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use cordon_spec::coverage::exec_coverage;
-use fault::{Fault, Result, Shown, fault};
+use fault::{Fault, Result, Shown, fault, shown};
 use format::{Function, Kind, Statement, Theorem};
 use kernel::Kernel;
 use system::Step;
@@ -80,8 +80,10 @@ impl fmt::Display for Verdict {
         match self {
             Self::Valid { claim, obligations: ..=1 } => f.write_str(claim),
             Self::Valid { claim, obligations } => write!(f, "{claim} ({obligations} obligations)"),
-            Self::Invalid { step, rule, reason } => write!(f, "{step}: rule {rule}: {reason}"),
-            Self::Unreadable { reason } => f.write_str(reason),
+            Self::Invalid { step, rule, reason } => {
+                write!(f, "{}: rule {rule}: {}", shown(step), shown(reason))
+            }
+            Self::Unreadable { reason } => f.write_str(&shown(reason)),
         }
     }
 }

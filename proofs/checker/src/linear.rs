@@ -132,7 +132,7 @@ impl<'c> System<'c> {
         }
         for (name, [low, high]) in &self.written.parameters.0 {
             words += &match with.0.get(name) {
-                Some(value) => format!("\n  in every step {name} = {value}"),
+                Some(value) => format!("\n  in every step {name} = {value}, in [{low}, {high}]"),
                 None => format!("\n  {each} any {name} in [{low}, {high}]"),
             };
         }

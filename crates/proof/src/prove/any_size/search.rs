@@ -67,7 +67,8 @@ impl Search<'_> {
         for (j, c) in all.iter().enumerate() {
             let more = if c.reach.is_some() { (", i=i", ", i=[i], u=[u]") } else { ("", "") };
             let given = format!("k=[k], s={j}, r={}{}", all.len() - 1 - j, more.1);
-            let instance = instance("c", &name, &format!("k=k, s={j}{}", more.0), &given);
+            let s = self.unused("s");
+            let instance = instance("c", &name, &format!("k=k, {s}={j}{}", more.0), &given);
             sheet.lemma(c.written(self.symbols, "k", true), positivity(&[instance], "[c]"));
         }
         candidates.retain(|c| !all.iter().any(|p| p.name == c.name));
@@ -75,25 +76,36 @@ impl Search<'_> {
         true
     }
 
+    /// A variable of that name, longer where the protocol has one.
+    fn unused(&self, wanted: &str) -> String {
+        let mut name = wanted.to_owned();
+        while self.family.state.contains(&name) || self.family.parameters.contains_key(&name) {
+            name.push('x');
+        }
+        name
+    }
+
     /// A proof of the clause by induction over the steps.
     pub fn proof(&self, candidate: &Clause) -> Option<Value> {
         let hypothesis = Clause { name: "IH".into(), ..candidate.clone() };
-        let [base, step] =
-            self.parts(candidate, &[(hypothesis, "t=k".into(), "k=[k], t=0".into())])?;
-        Some(induction("k", "k", "t", base, step))
+        let t = self.unused("t");
+        let hypothesis = (hypothesis, format!("{t}=k"), format!("k=[k], {t}=0"));
+        let [base, step] = self.parts(candidate, &[hypothesis])?;
+        Some(induction("k", "k", &t, base, step))
     }
 
     /// A clause that says all of several, of the same relation and range, with a variable s for which: for those that need each
     /// other. What cannot be shown with the help of all is left out.
     fn together(&self, mut all: Vec<Clause>, name: &str) -> Option<(Value, Value, Vec<Clause>)> {
+        let [s, t] = ["s", "t"].map(|wanted| self.unused(wanted));
         loop {
             let most = all.len().checked_sub(1).filter(|most| *most > 0)?;
             let hypotheses: Vec<_> = (0..)
                 .zip(&all)
                 .map(|(j, c)| {
                     let hypothesis = Clause { name: "IH".into(), ..c.clone() };
-                    let given = format!("k=[k], t=0, s={j}, r={}", most - j);
-                    (hypothesis, format!("t=k, s={j}"), given)
+                    let given = format!("k=[k], {t}=0, s={j}, r={}", most - j);
+                    (hypothesis, format!("{t}=k, {s}={j}"), given)
                 })
                 .collect();
             let parts: Vec<_> = all.iter().map(|c| self.parts(c, &hypotheses)).collect();
@@ -105,17 +117,17 @@ impl Search<'_> {
             let which = |part: usize| {
                 let none = absurd(&[], "[s] + [r]");
                 let proofs = parts.iter().flatten().rev();
-                proofs.fold(none, |rest, p| cases("s", "s", p[part].clone(), rest))
+                proofs.fold(none, |rest, p| cases("s", &s, p[part].clone(), rest))
             };
-            let proof = induction("k", "k", "t", which(0), which(1));
+            let proof = induction("k", "k", &t, which(0), which(1));
             // Lagrange's polynomials in s: 1 at the literal's number, 0 at the others'.
-            let s = self.symbols.variable(Symbol::Name("s".into()));
+            let which = self.symbols.variable(Symbol::Name(s.clone()));
             let number = |n: usize| Polynomial::from_int(i32::try_from(n).unwrap_or(i32::MAX));
             let terms = all.iter().enumerate().map(|(j, c)| {
                 let others = (0..=most).filter(|l| *l != j);
                 others.fold(c.literal.poly.clone(), |p, l| {
                     let scale = Rational::new(1.into(), (j as i64 - l as i64).into());
-                    p * &((s.clone() - &number(l)) * &Polynomial::constant(scale))
+                    p * &((which.clone() - &number(l)) * &Polynomial::constant(scale))
                 })
             });
             let poly = terms.fold(Polynomial::default(), |sum, t| sum + &t);
@@ -127,12 +139,12 @@ impl Search<'_> {
             };
             let mut written = whole.written(self.symbols, "k", true);
             for (key, more) in [
-                ("for", vec![json!({ "name": "s", "sort": "integer" })]),
+                ("for", vec![json!({ "name": s, "sort": "integer" })]),
                 (
                     "given",
                     vec![
-                        json!({ "name": "s", "holds": "s >= 0" }),
-                        json!({ "name": "r", "holds": format!("{most} - s >= 0") }),
+                        json!({ "name": "s", "holds": format!("{s} >= 0") }),
+                        json!({ "name": "r", "holds": format!("{most} - {s} >= 0") }),
                     ],
                 ),
             ] {

@@ -309,7 +309,14 @@ fn what_is_wrong_with_a_protocol_file_has_its_place() {
     let whole = "agents = 3\ntopology = \"line\"\nstart = [\"x0 = 0\"]\nclaims = [\"x0 = 0\"]\n\
                  [parameters]\neps = \"0..1\"\n[rules]\nfirst = \"x\"\ninner = \"x\"\nlast = \"x\"\n";
     let continuous = "time = \"continuous\"\n";
-    let changes: [(&str, &str, &[&str], &str); 11] = [
+    let changes: [(&str, &str, &[&str], &str); 12] = [
+        // Of three agents there is one.
+        (
+            "agents = 3\ntopology = \"line\"\nstart = [\"x0 = 0\"]",
+            "agents = \"3..\"\ntopology = \"line\"\nstart = [\"x0 = 0\", \"x[i] + 1 <= x[i+1]\", \"x[N-1] <= 5\"]",
+            &["prove"],
+            ":3:9: start: no start of 7 agents meets the assumptions",
+        ),
         (
             "\"x0 = 0\"]\nclaims",
             "\"x0 = 0\", \"x0 = 1\"]\nclaims",

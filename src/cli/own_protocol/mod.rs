@@ -50,6 +50,9 @@ pub struct ProtocolArgs {
     pub set: Vec<String>,
 }
 
+/// How many more agents than the fewest a start is looked for with, where claims are about every number.
+const MORE_AGENTS: usize = 8;
+
 impl ProtocolArgs {
     /// The file and its system, where one is named.
     ///
@@ -60,14 +63,7 @@ impl ProtocolArgs {
         let file = opened(path)?;
         let system = self.sized(&file, self.agents.unwrap_or(file.agents.fewest()))?;
         expect_claim(&file, &system)?;
-        if claims::is_vacuous(&system) {
-            let (key, assumptions) = match file.has_start() {
-                true => ("start", "the assumptions"),
-                false => ("claims", "the claims, which are assumed where `start` is left out"),
-            };
-            let message = format!("no start meets {assumptions}: expected one that does");
-            return Err(file.error(key, &message));
-        }
+        expect_start(&file, &system, "")?;
         Ok(Some((file, system)))
     }
 
@@ -162,10 +158,15 @@ impl ProtocolArgs {
     /// none.
     ///
     /// # Errors
-    /// The file is wrong, or a parameter is not there.
+    /// The file is wrong, a parameter is not there, or no start of some more agents than the fewest meets the assumptions.
     fn family(&self, file: &ProtocolFile) -> Result<Option<std::result::Result<Family, String>>> {
         if self.agents.is_some() || !file.is_family() {
             return Ok(None);
+        }
+        // What is proved of every number is empty where there are no starts.
+        let fewest = file.agents.fewest();
+        for more in fewest + 1..=fewest + MORE_AGENTS {
+            expect_start(file, &self.sized(file, more)?, &format!(" of {more} agents"))?;
         }
         let mut parameters = file.parameters()?;
         self.narrow(&mut parameters)?;
@@ -224,6 +225,18 @@ fn expect_claim(file: &ProtocolFile, system: &System) -> Result<()> {
         true => Err(file.error("claims", "none: expected `claims` or `converges`")),
         false => Ok(()),
     }
+}
+
+/// Some start meets the assumptions.
+fn expect_start(file: &ProtocolFile, system: &System, agents: &str) -> Result<()> {
+    if !claims::is_vacuous(system) {
+        return Ok(());
+    }
+    let (key, assumptions) = match file.has_start() {
+        true => ("start", "the assumptions"),
+        false => ("claims", "the claims, which are assumed where `start` is left out"),
+    };
+    Err(file.error(key, &format!("no start{agents} meets {assumptions}: expected one that does")))
 }
 
 fn abridged_words(words: &[&str]) -> String {

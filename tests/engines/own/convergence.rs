@@ -152,6 +152,15 @@ fn modes_in_turn_are_judged_by_the_round() {
     let found = converge::contraction(&in_turn).unwrap().unwrap();
     assert!(is_valid(&found.certificate));
     assert_eq!((found.round, found.rate < q("3/4")), (2, true));
+    // The certificate is about the round as one step: its rows are the two steps one after the other, the ends at 0 and 1.
+    let said = cordon_check::check(&found.certificate.to_string()).to_string();
+    for row in [
+        "if k >= 0 then x1(1 + k) = 1/4*x1(k) + 1/4*x3(k)\n",
+        "if k >= 0 then x2(1 + k) = 1/2*x1(k) + 1/2*x3(k)\n",
+        "if k >= 0 then x3(1 + k) = 1/2 + 1/4*x1(k) + 1/4*x3(k)\n",
+    ] {
+        assert!(said.contains(row), "{said}");
+    }
     // The step that is promised, from the corner that is slowest; within a round too.
     let start = [q("0"), q("1"), q("1"), q("1"), q("1")];
     let within = q("1/100");

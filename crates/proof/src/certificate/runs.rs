@@ -10,7 +10,7 @@ use num_traits::Zero;
 use serde_json::Value;
 
 use super::linear::LinearSystem;
-use super::theorem::{Sheet, clause, instance};
+use super::theorem::{Sheet, bracketed, clause, instance};
 use cordon_core::Rational;
 use cordon_core::exact::{self, fraction};
 use cordon_core::linear::feasible::Sign;
@@ -142,7 +142,8 @@ impl Meaning for Symbols {
     }
 }
 
-fn symbol(index: usize) -> Polynomial {
+/// A variable by its place in the state, or a parameter by that after the state.
+pub fn symbol(index: usize) -> Polynomial {
     Polynomial::variable(u32::try_from(index).unwrap_or(u32::MAX))
 }
 
@@ -259,6 +260,17 @@ impl Runs {
                 let changed: String = changed.collect();
                 stays + &changed
             }
+        }
+    }
+
+    /// How far a parameter is from the `low` or the `high` end of its range at that time, as text.
+    pub fn distance(&self, end: &str, parameter: &str, at: &Time) -> Option<String> {
+        let (_, [low, high]) = self.ranges.iter().find(|(name, _)| name == parameter)?;
+        let value = format!("{parameter}({})", at.text());
+        match end {
+            "low" => Some(format!("({value} - {})", bracketed(low))),
+            "high" => Some(format!("({} - {value})", bracketed(high))),
+            _ => None,
         }
     }
 

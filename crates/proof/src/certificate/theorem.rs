@@ -1,11 +1,19 @@
 //! Certificates of the kind `theorem`, piece by piece (`proofs/checker/FORMAT.md`).
 
+use cordon_core::Rational;
+use cordon_core::exact::fraction;
+use num_traits::Signed;
 use serde_json::{Map, Value, json};
 
 /// Text for a list of `name=value` pairs with `, ` between.
 fn pairs(text: &str) -> Value {
     let pair = |p: &str| p.split_once('=').map(|(n, v)| (n.trim().to_owned(), json!(v.trim())));
     Value::Object(text.split(", ").filter_map(pair).collect())
+}
+
+/// A number as a factor or a term.
+pub fn bracketed(x: &Rational) -> String {
+    if x.is_negative() { format!("({})", fraction(x)) } else { fraction(x) }
 }
 
 /// An instance of a lemma as a fact: terms for its variables, sums for its literals given.

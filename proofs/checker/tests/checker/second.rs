@@ -74,6 +74,34 @@ fn both_checkers_agree() {
     assert_eq!(all.len(), COMPARED);
 }
 
+/// The worst verdict is the exit code, as of the first checker.
+#[test]
+fn the_second_checker_has_exit_codes() {
+    let proofs = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let good = "certificates/7.2-sharp.json";
+    let bad = "must-not-prove/positivity-sides-differ.json";
+    let none = "must-not-prove/format-schema.json";
+    let cases: [(&[&str], i32); 6] = [
+        (&[good], 0),
+        (&[good, none], 2),
+        (&[none, bad, good], 4),
+        (&[bad, "certificates/there-is-none.json"], 74),
+        (&[], 2),
+        (&["--help"], 2),
+    ];
+    for (files, code) in cases {
+        let run = Command::new("python3")
+            .arg("second-checker/check.py")
+            .args(files)
+            .current_dir(&proofs)
+            .output()
+            .unwrap();
+        assert_eq!(run.status.code(), Some(code), "{files:?}");
+        let said = String::from_utf8(run.stderr).unwrap();
+        assert!(!said.contains("Traceback"), "{said}");
+    }
+}
+
 /// With another protocol written into the second checker, the certificates that rest on what is
 /// changed are proofs no more.
 #[test]

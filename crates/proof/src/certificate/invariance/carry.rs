@@ -15,13 +15,12 @@ use num_traits::{One, Signed, Zero};
 use serde_json::Value;
 
 use super::super::linear::{Edge, Multipliers};
-use super::super::runs::{Literal, Runs, Time};
+use super::super::runs::{Literal, Runs, Time, symbol};
 use super::super::weights::{Factor, Range, Sum, spread};
 use super::walk::How;
 use cordon_core::Rational;
 use cordon_core::exact;
 use cordon_core::linear::feasible::Sign;
-use cordon_core::scalar::Polynomial;
 
 /// The weights of a node's literals, in terms of those of a node after it.
 #[derive(Clone, Debug)]
@@ -187,13 +186,11 @@ impl Carry<'_> {
 
     fn range(&self, p: usize) -> Range {
         let (name, [low, high]) = &self.runs.ranges[p];
-        let value = self.runs.text(&symbol(self.runs.state.len() + p), self.at);
-        let fact = |end: &str| format!("[{end}.{name}{}]", self.tag);
-        Range {
-            width: high - low,
-            above_low: Factor::new(format!("({value} + {})", number(&-low)), fact("low")),
-            below_high: Factor::new(format!("({} - {value})", number(high)), fact("high")),
-        }
+        let factor = |end: &str| {
+            let value = self.runs.distance(end, name, self.at).unwrap_or_default();
+            Factor::new(value, format!("[{end}.{name}{}]", self.tag))
+        };
+        Range { width: high - low, above_low: factor("low"), below_high: factor("high") }
     }
 
     fn still(&self, edge: &Edge, j: usize) -> Option<Way> {
@@ -276,14 +273,4 @@ impl Carry<'_> {
             rows: rows.collect::<Option<_>>()?,
         })
     }
-}
-
-/// A number as a factor or a term.
-fn number(x: &Rational) -> String {
-    let text = exact::fraction(x);
-    if x.is_negative() { format!("({text})") } else { text }
-}
-
-fn symbol(v: usize) -> Polynomial {
-    Polynomial::variable(u32::try_from(v).unwrap_or(u32::MAX))
 }

@@ -7,7 +7,7 @@ use num_traits::{One, Signed, Zero};
 use serde_json::Value;
 
 use super::super::linear::Multipliers;
-use super::super::runs::{Literal, Time};
+use super::super::runs::{Literal, Time, symbol};
 use super::super::theorem::{clause, positivity};
 use super::Writer;
 use super::carry::row;
@@ -54,7 +54,6 @@ impl Writer<'_> {
             How::Start | How::Step(_) => return None,
         };
         let size = self.runs.state.len();
-        let symbol = |v: usize| Polynomial::variable(u32::try_from(v).unwrap_or(u32::MAX));
         let image = |literal: &Literal| match updates {
             None => literal.poly(),
             Some((_, rows)) => literal.with(|v| rows.get(&v).cloned().unwrap_or_else(|| symbol(v))),

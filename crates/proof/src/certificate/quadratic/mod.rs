@@ -24,14 +24,14 @@ use serde_json::Value;
 
 use super::linear::{LinearSystem, form};
 use super::runs::{Runs, Time, Turns};
-use super::theorem::{Sheet, clause, induction, instance, positivity};
+use super::theorem::{Sheet, bracketed, clause, induction, instance, positivity};
 use crate::claims::doubles::negative_direction;
 use cordon_core::Rational;
 use cordon_core::exact::{self, fraction};
 use cordon_core::linear::affine::Affine;
 use cordon_core::linear::matrix::{self, Matrix};
 use cordon_core::scalar::Polynomial;
-use text::{add, bracketed, fraction_times, linear, matrix_times, quadratic, sparse};
+use text::{add, fraction_times, linear, matrix_times, quadratic, sparse};
 
 /// What readouts y of a system do, by a quadratic form y'Py.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -14,7 +14,6 @@ use super::text::{
 use super::{Names, Parameter, Writer};
 use crate::certificate::theorem::{clause, instance, positivity};
 use cordon_core::Rational;
-use cordon_core::exact::fraction;
 use cordon_core::linear::matrix::{self, Matrix, product, transposed};
 use cordon_core::scalar::Polynomial;
 use cordon_core::system::expression::or_zero;
@@ -268,14 +267,9 @@ impl Writer<'_> {
 
     /// What a fact about a range or a selector says is >= 0, at this step.
     fn meaning(&self, fact: &str) -> String {
-        let k = &self.runs.step;
         let (kind, name) = fact.split_once('.').unwrap_or_default();
-        let range = self.runs.ranges.iter().find(|(f, _)| f == name).map(|(_, ends)| ends);
-        match (kind, range) {
-            ("low", Some([low, _])) => format!("({name}({k}) - ({}))", fraction(low)),
-            ("high", Some([_, high])) => format!("({} - {name}({k}))", fraction(high)),
-            _ => format!("{name}({k})"),
-        }
+        let distance = self.runs.distance(kind, name, &self.now);
+        distance.unwrap_or_else(|| format!("{name}({})", self.runs.step))
     }
 }
 

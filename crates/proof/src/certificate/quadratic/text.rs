@@ -1,6 +1,6 @@
 //! Combinations and forms as text, and what is reckoned with them.
 
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Zero};
 
 use super::Names;
 use crate::certificate::linear::form;
@@ -63,11 +63,6 @@ pub(super) fn difference(a: &Matrix, b: &Matrix) -> Matrix {
 /// A number, not below 0, times a factor.
 pub(super) fn fraction_times(c: &Rational, factor: &str) -> String {
     if c.is_one() { factor.to_owned() } else { format!("{}*{factor}", fraction(c)) }
-}
-
-/// A number as a summand.
-pub(super) fn bracketed(c: &Rational) -> String {
-    if c.is_negative() { format!("({})", fraction(c)) } else { fraction(c) }
 }
 
 /// Variables of a clause, reals.
